@@ -1,0 +1,56 @@
+/// Named columns of plain numbers: what a checkpoint holds, without knowing how it is stored
+/// (io/hdf5/checkpoint.hpp). Every bit that steers the next step goes through here.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/error.hpp"
+
+namespace grainbench {
+
+class Archive {
+public:
+    using Column = std::variant<std::vector<double>, std::vector<std::uint32_t>,
+                                std::vector<std::uint64_t>, std::vector<std::uint8_t>>;
+
+    template <class T>
+    void put(const std::string& name, std::vector<T> values) {
+        columns_[name] = std::move(values);
+    }
+
+    void put(const std::string& name, double value) { put(name, std::vector<double>{value}); }
+
+    void put(const std::string& name, std::uint64_t value) {
+        put(name, std::vector<std::uint64_t>{value});
+    }
+
+    /// Column of that name and type; an Error names what is missing or of another type.
+    template <class T>
+    const std::vector<T>& get(const std::string& name) const {
+        const auto found = columns_.find(name);
+        if (found == columns_.end() || !std::holds_alternative<std::vector<T>>(found->second)) {
+            throw_input_output({.what = "the checkpoint has no usable column '" + name + "'",
+                                .where = "checkpoint",
+                                .likely_cause = "written by another version of grainbench",
+                                .next_step = "run the scene again without --resume"});
+        }
+        return std::get<std::vector<T>>(found->second);
+    }
+
+    double number(const std::string& name) const { return get<double>(name).at(0); }
+
+    std::uint64_t count(const std::string& name) const { return get<std::uint64_t>(name).at(0); }
+
+    const std::map<std::string, Column>& columns() const { return columns_; }
+
+    void put_column(const std::string& name, Column column) { columns_[name] = std::move(column); }
+
+private:
+    std::map<std::string, Column> columns_;
+};
+
+}  // namespace grainbench

@@ -1,0 +1,120 @@
+/// What a contact law is: a stateless struct with one equation, templated on the number type T
+/// (double, or a vector of lanes), that declares what it reads and how much history it keeps.
+///
+///     struct SomeLaw {
+///         struct Params { ... key, discriminator, fields() ... };   // as written in the scene
+///         template <class T> struct Values { T a, b; };             // as read per contact
+///         static constexpr int value_count = 2;
+///         static constexpr int history_size = 0;                    // doubles per contact
+///         static constexpr Needs needs = Needs::none;
+///         static constexpr void resolve(const Params&, double* values);
+///         template <class T>
+///         static void apply(const Values<T>&, const Geometry<T>&, const T* history_in,
+///                           T* history_out, Load<T>&);
+///         static double stored_energy(const Values<double>&, const Load<double>&,
+///                                     const double* history);
+///     };
+///
+/// Laws are folded in the order of contact/law_table.hpp. Symbols and signs: share/doc/notation.md.
+#pragma once
+
+#include "core/types.hpp"
+
+namespace grainbench {
+
+/// Parts of the geometry that a law reads. The pass computes the union of what its laws need.
+enum class Needs : unsigned {
+    none = 0,
+    velocity = 1,        ///< relative velocity of the centres, v_n
+    spin = 2,            ///< spin in the relative velocity, v_s; torques result
+    effective_mass = 4,  ///< m_c
+    entry = 8,           ///< fraction of a first step spent in contact
+    radii = 16           ///< area radius and length of the deformability method
+};
+
+constexpr Needs operator|(Needs a, Needs b) {
+    return static_cast<Needs>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
+
+constexpr bool contains(Needs set, Needs part) {
+    return (static_cast<unsigned>(set) & static_cast<unsigned>(part)) != 0;
+}
+
+/// Kinematics of one contact per lane. Body i is a particle; j is a particle or a wall.
+template <class T>
+struct Geometry {
+    Vec3Of<T> normal;            ///< [1] unit vector from i to j
+    T overlap;                   ///< [m] positive in contact
+    T timestep;                  ///< [s] dt of the half-step velocities
+    T entry;                     ///< [1] fraction of this step spent in contact, 1 unless the first
+    T effective_mass;            ///< [kg] m_i m_j / (m_i + m_j); m_i against a wall
+    T opening_speed;             ///< [m/s] v_n = (v_j - v_i) . n at the contact, negative on approach
+    Vec3Of<T> sliding_velocity;  ///< [m/s] v_s, tangential part of the same
+    T mean_spin;                 ///< [rad/s] mean of both bodies' spin about n
+    T area_radius;               ///< [m] smaller radius; R_i against a wall
+    T length;                    ///< [m] R_i + R_j; R_i against a wall
+};
+
+/// Forces of one contact per lane; acts on j, its opposite on i.
+template <class T>
+struct Load {
+    using Mask = decltype(T{} < T{});
+
+    T stiffness_n{};           ///< [N/m]
+    T stiffness_s{};           ///< [N/m]
+    T normal{};                ///< [N] spring part, compression positive; sets the Coulomb limit
+    T normal_damping{};        ///< [N] dashpot part, same sign
+    Vec3Of<T> shear{};         ///< [N] spring part
+    Vec3Of<T> shear_damping{}; ///< [N] dashpot part
+    Mask slipping{};           ///< shear spring is at its limit; all lanes where there is no friction law
+    T slip_work{};             ///< [J] dissipated by sliding in this step
+};
+
+/// Nothing: no history, no needs, no code. Fills the slot of an effect that the scene leaves out.
+struct NoLaw {
+    template <class T>
+    struct Values {};
+
+    static constexpr int value_count = 0;
+    static constexpr int history_size = 0;
+    static constexpr Needs needs = Needs::none;
+
+    template <class T>
+    static void apply(const Values<T>&, const Geometry<T>&, const T*, T*, Load<T>&) {}
+
+    static double stored_energy(const Values<double>&, const Load<double>&, const double*) {
+        return 0.0;
+    }
+};
+
+/// The one-lane twins of the verbs that lanes offer, so that a law compiles with T = double.
+constexpr double select(bool mask, double yes, double no) {
+    return mask ? yes : no;
+}
+
+inline double square_root(double x) {
+    return std::sqrt(x);
+}
+
+/// Smaller and larger by one comparison, so that every instruction set gives the same bits.
+template <class T>
+T smaller(const T& a, const T& b) {
+    return select(a < b, a, b);
+}
+
+template <class T>
+T larger(const T& a, const T& b) {
+    return select(a < b, b, a);
+}
+
+template <class T>
+T absolute(const T& a) {
+    return select(a < T{}, T{} - a, a);
+}
+
+template <class M, class T>
+Vec3Of<T> select(M mask, const Vec3Of<T>& yes, const Vec3Of<T>& no) {
+    return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z)};
+}
+
+}  // namespace grainbench

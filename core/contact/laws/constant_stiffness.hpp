@@ -1,0 +1,61 @@
+/// Stiffness given as a property of the contact itself.
+/// Model    k_n, k_s constant                                                              (1)
+/// Source   Linear contact model with properties of the contact (physics reference 1.7).
+///          Departs from it in nothing.
+/// Symbols  k_n, k_s normal and shear stiffness [N/m].
+/// Signs    none.
+/// History  none.
+/// Limits   the same numbers hold for every size of particle.
+#pragma once
+
+#include <string_view>
+#include <tuple>
+
+#include "core/contact/law.hpp"
+#include "core/describe.hpp"
+
+namespace grainbench {
+
+struct ConstantStiffness {
+    struct Params {
+        static constexpr std::string_view key = "constant_stiffness";
+        static constexpr std::string_view discriminator = "law";
+        double normal = 0.0;  ///< [N/m]
+        double shear = 0.0;   ///< [N/m]
+
+        static constexpr auto fields() {
+            return std::tuple{
+                required(&Params::normal, "normal", "N/m", positive(), "normal stiffness k_n"),
+                field(&Params::shear, "shear", "N/m", at_least(0.0),
+                      "shear stiffness k_s; needed by friction")};
+        }
+
+        friend bool operator==(const Params&, const Params&) = default;
+    };
+
+    template <class T>
+    struct Values {
+        T normal, shear;
+    };
+
+    static constexpr int value_count = 2;
+    static constexpr int history_size = 0;
+    static constexpr Needs needs = Needs::none;
+
+    static constexpr void resolve(const Params& params, double* values) {
+        values[0] = params.normal;
+        values[1] = params.shear;
+    }
+
+    template <class T>
+    static void apply(const Values<T>& v, const Geometry<T>&, const T*, T*, Load<T>& load) {
+        load.stiffness_n = v.normal;  // (1)
+        load.stiffness_s = v.shear;
+    }
+
+    static double stored_energy(const Values<double>&, const Load<double>&, const double*) {
+        return 0.0;
+    }
+};
+
+}  // namespace grainbench

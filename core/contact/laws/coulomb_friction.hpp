@@ -1,0 +1,92 @@
+/// Coulomb friction: an incremental tangential spring with a slider.
+/// Model    F_s <- R(F_s) - k_s alpha v_s dt                                                (1)
+///          |F_s| <= mu F_n, else F_s <- mu F_n F_s / |F_s| and the contact slips           (2)
+///          R carries F_s into the new contact plane and turns it by the mean spin about n  (3)
+/// Source   Cundall & Strack, Geotechnique 29, 1979; PFC linear model (physics reference 1.5).
+///          Departs from it in (3): the component along the new normal is projected out and the
+///          length restored, which equals the tilt by n_old x n_new to second order in the turn of
+///          one step and needs no old normal in the history.
+/// Symbols  F_s shear force on j [N]; k_s [N/m]; v_s sliding velocity of j past i [m/s];
+///          mu [1]; F_n spring part of the normal force [N]; alpha see incremental_spring.
+/// Signs    F_s opposes v_s; acts on j, its opposite on i.
+/// History  3 doubles: F_s, zeroed when the contact opens.
+/// Limits   mu F_n uses the spring part only, so spring plus dashpot may exceed it slightly in
+///          stick. Stores F_s^2 / (2 k_s); sliding dissipates the rest.
+#pragma once
+
+#include <string_view>
+#include <tuple>
+
+#include "core/contact/law.hpp"
+#include "core/describe.hpp"
+
+namespace grainbench {
+
+struct CoulombFriction {
+    struct Params {
+        static constexpr std::string_view key = "coulomb_friction";
+        static constexpr std::string_view discriminator = "law";
+        double coefficient = 0.0;  ///< [1]
+
+        static constexpr auto fields() {
+            return std::tuple{required(&Params::coefficient, "coefficient", "1", at_least(0.0),
+                                       "friction coefficient mu")};
+        }
+
+        friend bool operator==(const Params&, const Params&) = default;
+    };
+
+    template <class T>
+    struct Values {
+        T coefficient;
+    };
+
+    static constexpr int value_count = 1;
+    static constexpr int history_size = 3;
+    static constexpr Needs needs = Needs::velocity | Needs::spin | Needs::entry;
+
+    static constexpr void resolve(const Params& params, double* values) {
+        values[0] = params.coefficient;
+    }
+
+    template <class T>
+    static void apply(const Values<T>& v, const Geometry<T>& g, const T* history_in,
+                      T* history_out, Load<T>& load) {
+        const Vec3Of<T> old{history_in[0], history_in[1], history_in[2]};
+        Vec3Of<T> carried = old - dot(old, g.normal) * g.normal;  // (3)
+        carried -= (g.mean_spin * g.timestep) * cross(carried, g.normal);
+        const T old_square = dot(old, old);
+        const T carried_square = dot(carried, carried);
+        const auto restorable = T{} < carried_square;
+        const T safe_square = select(restorable, carried_square, old_square + T(1.0));
+        const T stretch = select(restorable, square_root(old_square / safe_square), T{});
+
+        const Vec3Of<T> increment =
+            (load.stiffness_s * (g.entry * g.timestep)) * g.sliding_velocity;
+        const Vec3Of<T> trial = stretch * carried - increment;  // (1)
+
+        const T limit = v.coefficient * load.normal;
+        const T trial_size = square_root(dot(trial, trial));
+        // At equality too, so that mu = 0 means slipping and equals a scene without friction.
+        load.slipping = !(trial_size < limit);
+        const T safe_size = select(T{} < trial_size, trial_size, T(1.0));
+        const T shrink = select(load.slipping, limit / safe_size, T(1.0));
+        load.shear = shrink * trial;  // (2)
+
+        // Mean of the forces before and after the slide, times the slide (trial - F_s) / k_s.
+        const T slid = (trial_size - shrink * trial_size);
+        const T mean_force = T(0.5) * (trial_size + shrink * trial_size);
+        const T safe_stiffness = select(T{} < load.stiffness_s, load.stiffness_s, T(1.0));
+        load.slip_work = slid * mean_force / safe_stiffness;
+
+        history_out[0] = load.shear.x;
+        history_out[1] = load.shear.y;
+        history_out[2] = load.shear.z;
+    }
+
+    static double stored_energy(const Values<double>&, const Load<double>& load, const double*) {
+        return load.stiffness_s > 0.0 ? 0.5 * dot(load.shear, load.shear) / load.stiffness_s : 0.0;
+    }
+};
+
+}  // namespace grainbench

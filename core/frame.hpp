@@ -1,0 +1,73 @@
+/// Snapshots that leave the core: particles, walls and contacts at one instant, in view order (sorted
+/// by id), and the columns of the history. io writes them, render reads what io wrote.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/types.hpp"
+
+namespace grainbench {
+
+/// Particles sorted by id; all columns have the same length.
+struct ParticleFrame {
+    double time = 0.0;        ///< [s]
+    std::uint64_t cycle = 0;
+    std::vector<std::int64_t> id;  ///< from 1, in order of insertion
+    std::vector<Vec3> position;    ///< [m]
+    std::vector<double> radius;    ///< [m]
+    std::vector<std::int32_t> species;        ///< index into Scene::particles.species
+    std::vector<std::int32_t> group;          ///< 1 + index of the first group that holds it, or 0
+    std::vector<std::int32_t> layer;          ///< fixed layer, 0 if none
+    std::vector<std::int32_t> current_layer;  ///< layer assigned anew in this frame, 0 if none
+    std::vector<Vec3> velocity;               ///< [m/s] at the full step
+    std::vector<Vec3> angular_velocity;       ///< [rad/s]
+    std::vector<Vec3> force;                  ///< [N] of all contacts
+    std::vector<std::int32_t> contacts;       ///< touching particles and walls
+
+    std::size_t size() const { return id.size(); }
+};
+
+/// Surface of one wall, as polygons in space.
+struct WallSurface {
+    std::string name;
+    std::vector<Vec3> points;                   ///< [m]
+    std::vector<std::vector<Index>> polygons;   ///< indices into points, right-handed outward
+    Vec3 velocity{};                            ///< [m/s]
+    Vec3 force{};                               ///< [N] of the particles on the wall
+};
+
+struct WallFrame {
+    double time = 0.0;
+    std::uint64_t cycle = 0;
+    std::vector<WallSurface> walls;
+};
+
+/// Touching contacts; j_id is 0 for a wall and then `wall` is 1 + the index of the wall.
+struct ContactFrame {
+    double time = 0.0;
+    std::uint64_t cycle = 0;
+    std::vector<std::int64_t> i_id, j_id;
+    std::vector<std::int32_t> wall;
+    std::vector<Vec3> i_position;          ///< [m] centre of i
+    std::vector<Vec3> j_position;          ///< [m] centre of j, or the point on the wall
+    std::vector<double> overlap;           ///< [m]
+    std::vector<double> force_normal;      ///< [N] spring part, compression positive
+    std::vector<double> force_tangential;  ///< [N] spring part, magnitude
+};
+
+struct HistoryColumn {
+    std::string name;
+    std::string unit;
+    std::string doc;
+};
+
+/// One traced particle at one instant.
+struct TracePoint {
+    std::int64_t id = 0;
+    Vec3 position{};
+    Vec3 velocity{};
+};
+
+}  // namespace grainbench

@@ -1,0 +1,1 @@
+# Install and export, so that find_package(grainbench COMPONENTS core) works.
