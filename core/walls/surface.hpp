@@ -1,14 +1,17 @@
-/// Contact geometry of one wall in its own frame: patches (triangles, planes, discs, cylinder sides),
-/// the closest points on them, and the rule that lets one physical contact act once.
+/// Contact geometry of one wall in its own frame: patches (triangles, planes, discs, cylinder
+/// sides), the closest points on them, and the rule that lets one physical contact act once.
 #pragma once
-
-#include <array>
-#include <span>
-#include <vector>
 
 #include "core/frame.hpp"
 #include "core/types.hpp"
 #include "core/walls/shapes.hpp"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace grainbench {
 
@@ -17,11 +20,11 @@ enum class Feature : std::uint8_t { face, edge, vertex };
 
 /// One accepted contact of a sphere with a wall.
 struct WallHit {
-    Index patch = 0;       ///< the patch that stands for it (the lowest of those that share the point)
+    Index patch = 0;  ///< the patch that stands for it (the lowest of those that share the point)
     Feature feature = Feature::face;
-    Vec3 point{};          ///< [m] closest point, in the wall's frame
-    Vec3 normal{};         ///< [1] from the centre of the sphere to `point`
-    double distance = 0.0; ///< [m] from the centre to `point`
+    Vec3 point{};           ///< [m] closest point, in the wall's frame
+    Vec3 normal{};          ///< [1] from the centre of the sphere to `point`
+    double distance = 0.0;  ///< [m] from the centre to `point`
 };
 
 /// A few hits without allocation. A sphere touching more patches than fit keeps the closest ones.
@@ -35,31 +38,36 @@ struct WallHits {
 
 class Surface {
 public:
-    Surface() = default;
+    /// A surface without patches.
+    Surface();
 
     /// Throws Error(bad_input) on degenerate shapes; `where` is the JSON pointer of the wall.
     Surface(const WallShape& shape, const std::string& where);
 
     std::size_t patch_count() const;
 
-    /// Flat 4 doubles per patch {n_x, n_y, n_z, d}: |n . c - d| never exceeds the distance from c to
-    /// the patch. All zero where no such plane exists (cylinder sides).
+    /// Flat 4 doubles per patch {n_x, n_y, n_z, d}: |n . c - d| never exceeds the distance from c
+    /// to the patch. All zero where no such plane exists (cylinder sides).
     std::span<const double> bounding_planes() const;
 
     /// Appends, ascending, the patches whose distance from `centre` is at most `reach`.
     void collect(const Vec3& centre, double reach, std::vector<Index>& patches) const;
 
-    /// Contacts of a sphere at `centre` with those of `patches` (ascending) that are within `reach`,
-    /// after the rule: every face hit acts; an edge hit acts once and only if no face at that edge
-    /// acts; a vertex hit once and only if nothing at that vertex acts; coinciding points merge.
-    void resolve(const Vec3& centre, double reach, std::span<const Index> patches,
+    /// Contacts of a sphere at `centre` with those of `patches` (ascending) that are within
+    /// `reach`, after the rule: every face hit acts; an edge hit acts once and only if no face at
+    /// that edge acts; a vertex hit once and only if nothing at that vertex acts; coinciding points
+    /// merge.
+    void resolve(const Vec3& centre,
+                 double reach,
+                 std::span<const Index> patches,
                  WallHits& hits) const;
 
-    /// True if a contact may pass its history from one patch to the other: same, or sharing a vertex.
+    /// True if a contact may pass its history from one patch to the other: same, or sharing a
+    /// vertex.
     bool adjacent(Index a, Index b) const;
 
-    /// True if the sphere lies entirely within the closed surface. Open parts of a cylinder count as
-    /// closed. Throws Error(bad_input) for shapes that enclose nothing (plane, disc, open mesh).
+    /// True if the sphere lies entirely within the closed surface. Open parts of a cylinder count
+    /// as closed. Throws Error(bad_input) for shapes that enclose nothing (plane, disc, open mesh).
     bool encloses(const Vec3& centre, double radius) const;
 
     /// Smallest distance from the centre to the surface.
@@ -72,9 +80,8 @@ public:
     const WallSurface& outline() const;
 
 private:
-    struct Patch;
-    std::vector<double> planes_;
-    WallSurface outline_;
+    struct Impl;
+    std::shared_ptr<const Impl> impl_;  // never changes: copies share it
 };
 
 }  // namespace grainbench
