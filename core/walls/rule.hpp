@@ -40,11 +40,13 @@ public:
 
     const Candidate& operator[](std::size_t k) const { return room_[k].candidate; }
 
-    void add(const Closest& closest, Index patch) {
-        if (count_ == capacity && !remove_farther_than(closest.distance)) {
-            return;
+    /// Place for the next candidate, to be filled before keep_next(): no copies in between.
+    Candidate& next() { return room_[count_].candidate; }
+
+    void keep_next() {
+        if (++count_ > capacity) {
+            drop_farthest();
         }
-        room_[count_++].candidate = {closest, patch};
     }
 
 private:
@@ -55,24 +57,20 @@ private:
         Candidate candidate;
     };
 
-    bool remove_farther_than(double distance) {
+    void drop_farthest() {
         std::size_t farthest = 0;
         for (std::size_t k = 1; k < count_; ++k) {
             if ((*this)[k].closest.distance > (*this)[farthest].closest.distance) {
                 farthest = k;
             }
         }
-        if ((*this)[farthest].closest.distance <= distance) {
-            return false;
-        }
-        for (std::size_t k = farthest; k + 1 < count_; ++k) {
+        --count_;
+        for (std::size_t k = farthest; k < count_; ++k) {
             (*this)[k] = (*this)[k + 1];
         }
-        --count_;
-        return true;
     }
 
-    std::array<Room, capacity> room_;
+    std::array<Room, capacity + 1> room_;
     std::size_t count_ = 0;
 };
 
@@ -141,10 +139,11 @@ void resolve_hits(std::span<const Patch> wall,
                   WallHits& hits) {
     hits.count = 0;
     detail::Candidates candidates;
-    Closest closest;
     for (const Index patch : patches) {
-        if (closest_within(wall[patch], centre, reach, closest)) {
-            candidates.add(closest, patch);
+        detail::Candidate& next = candidates.next();
+        if (closest_within(wall[patch], centre, reach, next.closest)) {
+            next.patch = patch;
+            candidates.keep_next();
         }
     }
     std::size_t nearest = 0;
