@@ -48,8 +48,9 @@ std::vector<std::pair<double, double>> smoothed_square_table(double frequency, d
     constexpr double steepness = 130.0;
     constexpr double midpoint = 0.055;
     const double period = 1.0 / frequency;
-    // j / 200 of the period by integers: adding up the interval could miss or repeat a node.
-    const auto time = [&](int j) { return period * j / intervals; };
+    // Fractions of integers: adding up the interval could miss or repeat a node, and miss the
+    // period.
+    const auto time = [&](int j) { return period * (static_cast<double>(j) / intervals); };
 
     std::vector<double> rising(half_intervals / 2, 0.0);
     for (std::size_t j = 1; j < rising.size(); ++j) {

@@ -23,6 +23,11 @@ namespace detail {
 /// of points 2e-8 apart (the root of the spacing of doubles) cannot be told from each other.
 inline constexpr double same_place = 1e-7;
 
+/// Hits merge within this fraction of the reach: a few times same_place, because around a vertex
+/// each closest point may be at the same place as the next one without the last being so as the
+/// first.
+inline constexpr double merging = 10.0 * same_place;
+
 struct Candidate {
     Closest closest;
     Index patch;
@@ -74,9 +79,9 @@ private:
     std::size_t count_ = 0;
 };
 
-inline bool is_same_place(const Vec3& a, const Vec3& b, double reach) {
+inline bool is_within(double distance, const Vec3& a, const Vec3& b) {
     const Vec3 apart = a - b;
-    return dot(apart, apart) <= same_place * same_place * reach * reach;
+    return dot(apart, apart) <= distance * distance;
 }
 
 /// True if no other patch at the edge or vertex of candidate k has a closest point elsewhere.
@@ -88,7 +93,7 @@ bool is_local_minimum(const Candidates& candidates,
     const Closest& mine = candidates[k].closest;
     for (std::size_t other = 0; other < candidates.size(); ++other) {
         if (other != k && has_feature(wall[candidates[other].patch], mine.feature, mine.id) &&
-            !is_same_place(mine.point, candidates[other].closest.point, reach)) {
+            !is_within(same_place * reach, mine.point, candidates[other].closest.point)) {
             return false;
         }
     }
@@ -118,7 +123,7 @@ inline void accept(WallHits& hits, const Candidate& candidate, double reach) {
     const Closest& c = candidate.closest;
     for (std::size_t k = 0; k < hits.count; ++k) {
         WallHit& hit = hits.hit[k];
-        if (is_same_place(hit.point, c.point, reach)) {
+        if (is_within(merging * reach, hit.point, c.point)) {
             if (c.feature < hit.feature) {
                 hit = {candidate.patch, c.feature, c.point, c.normal, c.distance};
             }
