@@ -11,8 +11,6 @@
 ///         template <class T>
 ///         static void apply(const Values<T>&, const Geometry<T>&, const T* history_in,
 ///                           T* history_out, Load<T>&);
-///         static double stored_energy(const Values<double>&, const Load<double>&,
-///                                     const double* history);
 ///     };
 ///
 /// Laws are folded in the order of contact/law_table.hpp. Symbols and signs: share/doc/notation.md.
@@ -68,6 +66,7 @@ struct Load {
     Vec3Of<T> shear_damping{}; ///< [N] dashpot part
     Mask slipping{};           ///< shear spring is at its limit; all lanes where there is no friction law
     T slip_work{};             ///< [J] dissipated by sliding in this step
+    T stored{};                ///< [J] elastic energy held by the springs
 };
 
 /// Nothing: no history, no needs, no code. Fills the slot of an effect that the scene leaves out.
@@ -81,10 +80,6 @@ struct NoLaw {
 
     template <class T>
     static void apply(const Values<T>&, const Geometry<T>&, const T*, T*, Load<T>&) {}
-
-    static double stored_energy(const Values<double>&, const Load<double>&, const double*) {
-        return 0.0;
-    }
 };
 
 /// The one-lane twins of the verbs that lanes offer, so that a law compiles with T = double.

@@ -18,6 +18,7 @@ namespace grainbench {
 
 struct ConstantStiffness {
     struct Params {
+        using Law = ConstantStiffness;
         static constexpr std::string_view key = "constant_stiffness";
         static constexpr std::string_view discriminator = "law";
         double normal = 0.0;  ///< [N/m]
@@ -51,10 +52,6 @@ struct ConstantStiffness {
     static void apply(const Values<T>& v, const Geometry<T>&, const T*, T*, Load<T>& load) {
         load.stiffness_n = v.normal;  // (1)
         load.stiffness_s = v.shear;
-    }
-
-    static double stored_energy(const Values<double>&, const Load<double>&, const double*) {
-        return 0.0;
     }
 };
 

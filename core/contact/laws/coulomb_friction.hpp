@@ -24,6 +24,7 @@ namespace grainbench {
 
 struct CoulombFriction {
     struct Params {
+        using Law = CoulombFriction;
         static constexpr std::string_view key = "coulomb_friction";
         static constexpr std::string_view discriminator = "law";
         double coefficient = 0.0;  ///< [1]
@@ -78,14 +79,11 @@ struct CoulombFriction {
         const T mean_force = T(0.5) * (trial_size + shrink * trial_size);
         const T safe_stiffness = select(T{} < load.stiffness_s, load.stiffness_s, T(1.0));
         load.slip_work = slid * mean_force / safe_stiffness;
+        load.stored = load.stored + T(0.5) * dot(load.shear, load.shear) / safe_stiffness;
 
         history_out[0] = load.shear.x;
         history_out[1] = load.shear.y;
         history_out[2] = load.shear.z;
-    }
-
-    static double stored_energy(const Values<double>&, const Load<double>& load, const double*) {
-        return load.stiffness_s > 0.0 ? 0.5 * dot(load.shear, load.shear) / load.stiffness_s : 0.0;
     }
 };
 

@@ -19,6 +19,7 @@ namespace grainbench {
 
 struct DeformabilityStiffness {
     struct Params {
+        using Law = DeformabilityStiffness;
         static constexpr std::string_view key = "deformability_stiffness";
         static constexpr std::string_view discriminator = "law";
         double modulus = 0.0;  ///< [Pa]
@@ -55,10 +56,6 @@ struct DeformabilityStiffness {
     static void apply(const Values<T>& v, const Geometry<T>& g, const T*, T*, Load<T>& load) {
         load.stiffness_n = v.area_modulus * g.area_radius * g.area_radius / g.length;  // (1) (2)
         load.stiffness_s = load.stiffness_n * v.inverse_ratio;
-    }
-
-    static double stored_energy(const Values<double>&, const Load<double>&, const double*) {
-        return 0.0;
     }
 };
 

@@ -20,6 +20,7 @@ namespace grainbench {
 
 struct IncrementalSpring {
     struct Params {
+        using Law = IncrementalSpring;
         static constexpr std::string_view key = "incremental_spring";
         static constexpr std::string_view discriminator = "law";
 
@@ -43,10 +44,7 @@ struct IncrementalSpring {
         const T increment = load.stiffness_n * (g.entry * g.opening_speed * g.timestep);
         load.normal = larger(T{}, history_in[0] - increment);  // (1)
         history_out[0] = load.normal;
-    }
-
-    static double stored_energy(const Values<double>&, const Load<double>& load, const double*) {
-        return 0.5 * load.normal * load.normal / load.stiffness_n;
+        load.stored = load.stored + T(0.5) * load.normal * load.normal / load.stiffness_n;
     }
 };
 

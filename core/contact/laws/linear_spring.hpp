@@ -19,6 +19,7 @@ namespace grainbench {
 
 struct LinearSpring {
     struct Params {
+        using Law = LinearSpring;
         static constexpr std::string_view key = "linear_spring";
         static constexpr std::string_view discriminator = "law";
 
@@ -39,10 +40,7 @@ struct LinearSpring {
     template <class T>
     static void apply(const Values<T>&, const Geometry<T>& g, const T*, T*, Load<T>& load) {
         load.normal = load.stiffness_n * g.overlap;  // (1)
-    }
-
-    static double stored_energy(const Values<double>&, const Load<double>& load, const double*) {
-        return 0.5 * load.normal * load.normal / load.stiffness_n;
+        load.stored = load.stored + T(0.5) * load.normal * load.normal / load.stiffness_n;
     }
 };
 

@@ -23,6 +23,7 @@ namespace grainbench {
 
 struct ViscousDamping {
     struct Params {
+        using Law = ViscousDamping;
         static constexpr std::string_view key = "viscous_damping";
         static constexpr std::string_view discriminator = "law";
         double normal = 0.0;    ///< [1]
@@ -68,10 +69,6 @@ struct ViscousDamping {
         const auto cut = load.slipping & (T{} < v.cut_on_slip);
         const Vec3Of<T> zero{};
         load.shear_damping = select(cut, zero, (T{} - c_s) * g.sliding_velocity);  // (3)
-    }
-
-    static double stored_energy(const Values<double>&, const Load<double>&, const double*) {
-        return 0.0;
     }
 };
 

@@ -1,0 +1,75 @@
+/// The scene's contact laws made ready for the passes: which combination of laws, and their values for
+/// every pair of materials. Materials are the species, in order, then the wall materials.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/contact/law_table.hpp"
+#include "core/kernels/kernels.hpp"
+#include "core/scene.hpp"
+
+namespace grainbench {
+
+/// Names of the materials of a scene; a wall material that bears the name of a species is that species.
+class Materials {
+public:
+    Materials() = default;
+    explicit Materials(const Scene& scene);
+
+    Index count() const { return static_cast<Index>(names_.size()); }
+
+    /// Index of a name. Throws Error(bad_input) if there is none.
+    Index index_of(const std::string& name) const;
+
+    const std::vector<std::string>& names() const { return names_; }
+
+private:
+    std::vector<std::string> names_;
+};
+
+/// What the stable step of a contact depends on.
+struct ContactStiffness {
+    double normal;           ///< [N/m]
+    double shear;            ///< [N/m]
+    double normal_damping;   ///< [1] ratio beta_n
+    double shear_damping;    ///< [1]
+};
+
+class ContactTable {
+public:
+    ContactTable() = default;
+    ContactTable(const Contact& contact, const Materials& materials);
+
+    std::size_t combination() const { return combination_index(choice_); }
+
+    int history_size() const { return history_size_; }
+
+    bool has_friction() const { return choice_[2] != 0; }
+
+    bool has_damping() const { return choice_[3] != 0; }
+
+    LawView view(double timestep) const;
+
+    /// Of a contact between two materials with these radii; radius_j = 0 means a wall.
+    ContactStiffness stiffness(Index material_i, Index material_j, double radius_i,
+                               double radius_j) const;
+
+    /// For each column of the history of `next`, the column of `before` that holds the same quantity, or
+    /// -1: laws that stay on keep their history when a stage changes the laws.
+    friend std::vector<int> history_sources(const ContactTable& before, const ContactTable& next);
+
+private:
+    void resolve_pair(const Contact& contact, const PairContact* changes, Index a, Index b);
+    void put(Index a, Index b, int value, double x);
+
+    LawChoice choice_{};
+    int history_size_ = 0;
+    Index materials_ = 0;
+    std::vector<double> values_;
+    std::vector<double> damping_;  ///< two per pair: beta_n, beta_s
+};
+
+std::vector<int> history_sources(const ContactTable& before, const ContactTable& next);
+
+}  // namespace grainbench

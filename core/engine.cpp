@@ -1,0 +1,388 @@
+#include "core/engine.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace grainbench {
+
+namespace {
+
+std::vector<double> densities(const Scene& scene) {
+    std::vector<double> density;
+    for (const Species& species : scene.particles.species) {
+        density.push_back(species.density);
+    }
+    return density;
+}
+
+/// Travel that candidate lists allow: a quarter of the smallest radius, from a scan of the shaken bed
+/// of the example (share/doc/performance.md): longer lists cost more per renewal, shorter ones age.
+constexpr double slack_per_radius = 0.25;
+
+SearchSettings search_settings(const Detection& detection, double smallest_radius,
+                               bool brute_force) {
+    SearchSettings settings{.tolerance = detection.tolerance,
+                            .slack = slack_per_radius * smallest_radius,
+                            .interval = 0,
+                            .brute_force = brute_force};
+    if (const auto* remap = std::get_if<RemapInterval>(&detection.trigger)) {
+        settings.interval = remap->cycles;
+    }
+    return settings;
+}
+
+void fill_packets(double (&packets)[8], const Vec3& v) {
+    const double packet[4] = {v.x, v.y, v.z, 0.0};
+    std::copy_n(packet, 4, packets);
+    std::copy_n(packet, 4, packets + 4);
+}
+
+std::vector<WallBody> build_walls(const Scene& scene, const Materials& materials) {
+    std::vector<WallBody> walls;
+    for (std::size_t w = 0; w < scene.walls.size(); ++w) {
+        walls.emplace_back(scene.walls[w], "/walls/" + std::to_string(w),
+                           materials.index_of(scene.walls[w].material_name()));
+    }
+    return walls;
+}
+
+}  // namespace
+
+Engine::Engine(const Scene& scene, std::uint64_t seed, const SimulationOptions& options)
+    : kernels_(&kernels_for(options.reference ? "scalar" : options.isa)),
+      materials_(scene),
+      contact_(scene.contact),
+      table_(scene.contact, materials_),
+      scheme_(scene.timestep),
+      detection_(scene.detection),
+      scene_gravity_(scene.gravity.value_or(Vec3{})),
+      keep_records_(scene.observables.energy.has_value() || scene.output.contacts),
+      walls_(build_walls(scene, materials_)) {
+    std::vector<Surface> surfaces;
+    for (const WallBody& wall : walls_) {
+        surfaces.push_back(wall.surface());
+    }
+    InsertionResult inserted = insert_particles(scene, surfaces, seed);
+    insertion_reports_ = std::move(inserted.reports);
+    particles_ = ParticleState(inserted.spheres, densities(scene));
+    const SearchSettings settings =
+        search_settings(detection_, particles_.smallest_radius(), options.reference);
+    pairs_ = PairContacts(settings, table_.history_size());
+    wall_contacts_.assign(walls_.size(), WallContacts(settings, table_.history_size()));
+    sums_ = StableStep(particles_.size());
+    if (scene.observables.energy) {
+        ledger_ = std::make_unique<EnergyLedger>();
+    }
+    if (particles_.size() > 0) {
+        for (Index slot = 0; slot < particles_.size(); ++slot) {
+            bed_velocity_ += particles_.velocity(slot);
+        }
+        bed_velocity_ = (1.0 / particles_.size()) * bed_velocity_;
+    }
+}
+
+void Engine::begin_stage(const Stage& stage) {
+    for (const StageMotion& change : stage.motions) {
+        for (WallBody& wall : walls_) {
+            if (wall.name() == change.wall) {
+                wall.set_motion(change.motion, time_);
+            }
+        }
+    }
+    if (stage.contact) {
+        contact_ = *stage.contact;
+        const ContactTable next(contact_, materials_);
+        const std::vector<int> sources = history_sources(table_, next);
+        pairs_.change_history(sources);
+        for (WallContacts& contacts : wall_contacts_) {
+            contacts.change_history(sources);
+        }
+        table_ = next;
+    }
+    if (stage.timestep) {
+        scheme_ = *stage.timestep;
+    }
+    // Where inertia is scaled, gravity must pull at the real mass: it joins the forces.
+    gravity_ = std::holds_alternative<ScaledTimestep>(scheme_) ? Vec3{} : scene_gravity_;
+    single_contact_ =
+        StableStep::single_contact_limit(particles_, table_, materials_.count());
+    if (!started_) {
+        started_ = true;
+        for (WallBody& wall : walls_) {
+            wall.begin_step(time_);
+        }
+        find_contacts();
+        add_forces(0.0);
+        if (ledger_) {
+            ledger_->start(ledger_view(), 0.0);
+        }
+    }
+    update_stable_step();
+}
+
+void Engine::step() {
+    const double timestep = choose_timestep();
+    for (WallBody& wall : walls_) {
+        wall.begin_step(time_);
+    }
+    if (ledger_) {
+        ledger_->begin_step(ledger_view(), timestep_, timestep);
+    }
+    move(timestep);
+    find_contacts();
+    add_forces(timestep);
+    if (ledger_) {
+        ledger_->end_step(ledger_view(), timestep);
+    }
+}
+
+double Engine::choose_timestep() const {
+    if (const auto* fixed = std::get_if<FixedTimestep>(&scheme_)) {
+        return fixed->value;
+    }
+    if (const auto* scaled = std::get_if<ScaledTimestep>(&scheme_)) {
+        return scaled->value;
+    }
+    const auto& automatic = std::get<AutomaticTimestep>(scheme_);
+    double timestep = automatic.safety_factor * stable_;
+    const double previous =
+        timestep_ > 0.0 ? automatic.growth * timestep_ : automatic.safety_factor * single_contact_;
+    timestep = std::min(timestep, previous);
+    timestep = std::min(timestep, automatic.maximum.value_or(timestep));
+    // The kinematic limit can only bind where a particle nearly crosses its tolerance in a step.
+    const double epsilon = detection_.tolerance * particles_.smallest_radius();
+    const double fastest = std::max({fastest_.x + std::abs(bed_velocity_.x),
+                                     fastest_.y + std::abs(bed_velocity_.y),
+                                     fastest_.z + std::abs(bed_velocity_.z)});
+    if (timestep_ == 0.0 || 2.0 * fastest * timestep > epsilon ||
+        timestep > automatic.safety_factor * single_contact_) {
+        timestep = std::min(timestep, kinematic_limit(particles_, gravity_, detection_.tolerance));
+    }
+    return timestep;
+}
+
+void Engine::move(double timestep) {
+    MotionPass pass{.particles = particles_.view(),
+                    .gravity = {},
+                    .frame = {},
+                    .kick = 0.5 * (timestep_ + timestep),
+                    .drift = timestep,
+                    .fastest = {},
+                    .velocity_sum = {}};
+    fill_packets(pass.gravity, gravity_);
+    fill_packets(pass.frame, bed_velocity_);
+    kernels_->move(pass);
+
+    fastest_ = {pass.fastest[0], pass.fastest[1], pass.fastest[2]};
+    const double travel = norm(fastest_) * timestep;
+    pairs_.add_travel(travel);
+    bed_shift_ += timestep * bed_velocity_;
+    for (std::size_t w = 0; w < walls_.size(); ++w) {
+        wall_contacts_[w].add_travel(walls_[w].relative_speed_bound(fastest_, bed_velocity_) *
+                                     timestep);
+        walls_[w].move(timestep);
+    }
+    time_ += timestep;
+    timestep_ = timestep;
+    ++cycle_;
+    const Vec3 sum{pass.velocity_sum[0], pass.velocity_sum[1], pass.velocity_sum[2]};
+    if (!is_finite(sum)) {
+        throw_not_finite();
+    }
+    bed_velocity_ = (1.0 / std::max<double>(particles_.size(), 1.0)) * sum;
+}
+
+void Engine::find_contacts() {
+    bool renewed = pairs_.update(cycle_, particles_, bed_shift_, *kernels_);
+    for (std::size_t w = 0; w < walls_.size(); ++w) {
+        renewed = wall_contacts_[w].update(cycle_, particles_, walls_[w], *kernels_) || renewed;
+    }
+    bool changed = pairs_.find_touching(particles_, *kernels_);
+    for (std::size_t w = 0; w < walls_.size(); ++w) {
+        changed =
+            wall_contacts_[w].find_touching(particles_, walls_[w], *kernels_) || changed;
+    }
+    if (detection_.create_on_overlap ? changed : renewed) {
+        update_stable_step();
+    }
+}
+
+void Engine::update_stable_step() {
+    if (!needs_stable_step()) {
+        return;
+    }
+    sums_.clear();
+    const PairList& objects = pairs_.objects();
+    if (detection_.create_on_overlap) {
+        for (const Index k : pairs_.touching()) {
+            sums_.add_pair(particles_, table_, objects.i[k], objects.j[k]);
+        }
+    } else {
+        for (Index k = 0; k < objects.count; ++k) {
+            sums_.add_pair(particles_, table_, objects.i[k], objects.j[k]);
+        }
+    }
+    for (std::size_t w = 0; w < walls_.size(); ++w) {
+        const WallContacts& contacts = wall_contacts_[w];
+        if (detection_.create_on_overlap) {
+            for (Index t = 0; t < contacts.touching_count(); ++t) {
+                sums_.add_wall(particles_, table_, contacts.particle(t), walls_[w].material(),
+                               contacts.normal(t));
+            }
+        } else {
+            for (const WallObject& object : contacts.objects()) {
+                sums_.add_wall(particles_, table_, object.particle, walls_[w].material(),
+                               object.normal);
+            }
+        }
+    }
+    stable_ = sums_.limit(particles_);
+    if (const auto* scaled = std::get_if<ScaledTimestep>(&scheme_)) {
+        scale_inertia(scaled->value, scaled->safety_factor);
+    }
+}
+
+void Engine::scale_inertia(double step, double safety_factor) {
+    for (Index slot = 0; slot < particles_.size(); ++slot) {
+        const double limit = safety_factor * sums_.limit_of(particles_, slot);
+        const double scale = particles_.mass(slot) * particles_.inverse_mass(slot);
+        // limit grows with the root of the inertial mass, which is mass / scale at present.
+        const double ratio = step / limit;
+        if (std::isfinite(limit)) {
+            particles_.scale_inertia(slot, ratio * ratio / scale);
+        }
+    }
+}
+
+void Engine::add_forces(double timestep) {
+    if (std::holds_alternative<ScaledTimestep>(scheme_)) {
+        particles_.load_weight(scene_gravity_);
+    }
+    pairs_.add_forces(particles_, table_, timestep, keep_records_, *kernels_);
+    for (std::size_t w = 0; w < walls_.size(); ++w) {
+        wall_contacts_[w].add_forces(particles_, walls_[w], table_, timestep, keep_records_,
+                                     *kernels_);
+    }
+}
+
+std::size_t Engine::contact_count() const {
+    if (detection_.create_on_overlap) {
+        return touching_count();
+    }
+    std::size_t count = pairs_.objects().count;
+    for (const WallContacts& contacts : wall_contacts_) {
+        count += contacts.objects().size();
+    }
+    return count;
+}
+
+std::size_t Engine::touching_count() const {
+    std::size_t count = pairs_.touching().size();
+    for (const WallContacts& contacts : wall_contacts_) {
+        count += contacts.touching_count();
+    }
+    return count;
+}
+
+std::uint64_t Engine::late_count() const {
+    std::uint64_t count = pairs_.late_count();
+    for (const WallContacts& contacts : wall_contacts_) {
+        count += contacts.late_count();
+    }
+    return count;
+}
+
+Vec3 Engine::full_velocity(Index slot) const {
+    return particles_.velocity(slot) +
+           0.5 * timestep_ * (particles_.inverse_mass(slot) * particles_.force(slot) + gravity_);
+}
+
+Vec3 Engine::full_spin(Index slot) const {
+    return particles_.spin(slot) +
+           (0.5 * timestep_ * particles_.inverse_inertia(slot)) * particles_.torque(slot);
+}
+
+Vec3 Engine::contact_force(Index slot) const {
+    const bool weight_included = std::holds_alternative<ScaledTimestep>(scheme_);
+    return weight_included ? particles_.force(slot) - particles_.mass(slot) * scene_gravity_
+                           : particles_.force(slot);
+}
+
+double Engine::largest_overlap_ratio() const {
+    double largest = 0.0;
+    for (const Index k : pairs_.touching()) {
+        const Index i = pairs_.objects().i[k];
+        const Index j = pairs_.objects().j[k];
+        const double distance = norm(particles_.position(j) - particles_.position(i));
+        const double smaller_radius = std::min(particles_.radius(i), particles_.radius(j));
+        const double overlap = particles_.radius(i) + particles_.radius(j) - distance;
+        largest = std::max(largest, overlap / smaller_radius);
+    }
+    for (const WallContacts& contacts : wall_contacts_) {
+        for (Index t = 0; t < contacts.touching_count(); ++t) {
+            const double radius = particles_.radius(contacts.particle(t));
+            largest = std::max(largest, (radius - contacts.distance(t)) / radius);
+        }
+    }
+    return largest;
+}
+
+void Engine::throw_not_finite() const {
+    std::string who = "some particle";
+    for (Index slot = 0; slot < particles_.size(); ++slot) {
+        if (!is_finite(particles_.velocity(slot)) || !is_finite(particles_.position(slot))) {
+            who = "particle " + std::to_string(particles_.id(slot)) + " (" +
+                  materials_.names()[particles_.species(slot)] + ")";
+            break;
+        }
+    }
+    throw Error(ErrorKind::unstable,
+                {.what = who + " has a velocity or position that is not a finite number",
+                 .where = "cycle " + std::to_string(cycle_) + ", time " + std::to_string(time_) +
+                          " s, timestep " + std::to_string(timestep_) + " s",
+                 .likely_cause = "the timestep is above the stable one, or particles started with a "
+                                 "large overlap",
+                 .next_step = "lower the timestep or its safety factor; `grainbench check` prints "
+                              "the stable step"});
+}
+
+void Engine::save(Archive& archive) const {
+    archive.put("engine/cycle", cycle_);
+    archive.put("engine/numbers",
+                std::vector<double>{time_, timestep_, stable_, bed_velocity_.x, bed_velocity_.y,
+                                    bed_velocity_.z, bed_shift_.x, bed_shift_.y, bed_shift_.z,
+                                    fastest_.x, fastest_.y, fastest_.z});
+    particles_.save(archive);
+    pairs_.save(archive);
+    for (std::size_t w = 0; w < walls_.size(); ++w) {
+        const std::string name = "wall-" + std::to_string(w + 1);
+        walls_[w].save(archive, name);
+        wall_contacts_[w].save(archive, name + "/contacts");
+    }
+    if (ledger_) {
+        ledger_->save(archive);
+    }
+}
+
+void Engine::load(const Archive& archive) {
+    cycle_ = archive.count("engine/cycle");
+    const auto& numbers = archive.get<double>("engine/numbers");
+    time_ = numbers.at(0);
+    timestep_ = numbers.at(1);
+    stable_ = numbers.at(2);
+    bed_velocity_ = {numbers.at(3), numbers.at(4), numbers.at(5)};
+    bed_shift_ = {numbers.at(6), numbers.at(7), numbers.at(8)};
+    fastest_ = {numbers.at(9), numbers.at(10), numbers.at(11)};
+    particles_.load(archive);
+    pairs_.load(archive);
+    for (std::size_t w = 0; w < walls_.size(); ++w) {
+        const std::string name = "wall-" + std::to_string(w + 1);
+        walls_[w].load(archive, name);
+        wall_contacts_[w].load(archive, name + "/contacts");
+    }
+    if (ledger_) {
+        ledger_->load(archive);
+    }
+}
+
+}  // namespace grainbench

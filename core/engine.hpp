@@ -1,0 +1,114 @@
+/// The stepping engine of one realisation: particles, walls, contacts, and the cycle of
+/// share/doc/notation.md. It knows nothing of output or stages beyond their physics.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/contact/contact_table.hpp"
+#include "core/contact/pair_contacts.hpp"
+#include "core/contact/wall_contacts.hpp"
+#include "core/integrate/stable_step.hpp"
+#include "core/measure/energy_ledger.hpp"
+#include "core/simulation.hpp"
+
+namespace grainbench {
+
+class Engine {
+public:
+    Engine(const Scene& scene, std::uint64_t seed, const SimulationOptions& options);
+
+    /// Changes what a stage changes. The first call also finds the first contacts and forces.
+    void begin_stage(const Stage& stage);
+
+    /// One cycle. Throws Error(unstable) when the state is no longer finite.
+    void step();
+
+    double time() const { return time_; }
+
+    double timestep() const { return timestep_; }
+
+    std::uint64_t cycle() const { return cycle_; }
+
+    const ParticleState& particles() const { return particles_; }
+
+    const PairContacts& pairs() const { return pairs_; }
+
+    std::span<const WallBody> walls() const { return walls_; }
+
+    std::span<const WallContacts> wall_contacts() const { return wall_contacts_; }
+
+    /// Acceleration that acts on velocities; zero where gravity is among the forces.
+    const Vec3& gravity() const { return gravity_; }
+
+    const std::vector<InsertionReport>& insertion_reports() const { return insertion_reports_; }
+
+    const Kernels& kernels() const { return *kernels_; }
+
+    std::size_t contact_count() const;
+    std::size_t touching_count() const;
+    std::uint64_t late_count() const;
+
+    /// Velocity at the full step [m/s], spin [rad/s].
+    Vec3 full_velocity(Index slot) const;
+    Vec3 full_spin(Index slot) const;
+
+    /// Of contacts alone [N].
+    Vec3 contact_force(Index slot) const;
+
+    bool has_ledger() const { return ledger_ != nullptr; }
+
+    Energies energies() const { return ledger_->energies(ledger_view(), timestep_); }
+
+    /// Overlap over the smaller radius of the deepest contact [1].
+    double largest_overlap_ratio() const;
+
+    void save(Archive& archive) const;
+
+    /// Call after begin_stage of the stage in which the state was saved.
+    void load(const Archive& archive);
+
+private:
+    LedgerView ledger_view() const {
+        return {particles_, pairs_, walls_, wall_contacts_, gravity_};
+    }
+
+    double choose_timestep() const;
+    void move(double timestep);
+    void find_contacts();
+    void add_forces(double timestep);
+    void update_stable_step();
+    void scale_inertia(double step, double safety_factor);
+    bool needs_stable_step() const { return !std::holds_alternative<FixedTimestep>(scheme_); }
+
+    [[noreturn]] void throw_not_finite() const;
+
+    const Kernels* kernels_;
+    Materials materials_;
+    Contact contact_;
+    ContactTable table_;
+    Timestep scheme_;
+    Detection detection_;
+    Vec3 scene_gravity_{};
+    Vec3 gravity_{};
+    bool keep_records_ = false;
+    std::vector<WallBody> walls_;
+    std::vector<WallContacts> wall_contacts_;
+    ParticleState particles_;
+    PairContacts pairs_;
+    StableStep sums_;
+    std::unique_ptr<EnergyLedger> ledger_;
+    std::vector<InsertionReport> insertion_reports_;
+
+    bool started_ = false;
+    std::uint64_t cycle_ = 0;
+    double time_ = 0.0;
+    double timestep_ = 0.0;          ///< of the last cycle; 0 before the first
+    double stable_ = 0.0;            ///< limit of the present contact objects
+    double single_contact_ = 0.0;    ///< limit of one lone contact
+    Vec3 bed_velocity_{};            ///< mean velocity in the last cycle: the bed's frame
+    Vec3 bed_shift_{};               ///< displacement of that frame
+    Vec3 fastest_{};                 ///< largest speed per axis relative to it
+};
+
+}  // namespace grainbench

@@ -1,0 +1,55 @@
+/// Estimate of the stable step from sums over the contact objects of each particle, and the limits that
+/// the timestep schemes put on it.
+///
+/// Model    dt_i = min over axes of sqrt(m / k_i), sqrt(I / kappa_i)                        (1)
+///          k_i = sum K_n n_i^2 + K_s (1 - n_i^2);  kappa_i = sum K_s R^2 (1 - n_i^2)       (2)
+///          K = k / (sqrt(1 + beta^2) - beta)^2                                             (3)
+/// Source   PFC documentation, timestep determination; Belytschko 1983 for (3)
+///          (physics reference 2.2). Departs from it in the normals, which are those of the last
+///          change of the contact list, not of every cycle.
+/// Symbols  m, I inertial mass [kg] and moment [kg m^2]; k_n, k_s [N/m]; R lever arm [m];
+///          beta damping ratio [1]; n_i component i of the contact normal [1].
+/// Limits   diagonal estimate: all contact objects count, touching or not; no proof of stability.
+#pragma once
+
+#include <span>
+
+#include "core/contact/contact_table.hpp"
+#include "core/state/particle_state.hpp"
+
+namespace grainbench {
+
+class StableStep {
+public:
+    StableStep() = default;
+    explicit StableStep(Index particle_count);
+
+    /// Starts a new sum; then add every contact object; then finish.
+    void clear();
+    void add_pair(const ParticleState& particles, const ContactTable& table, Index i, Index j);
+    void add_wall(const ParticleState& particles, const ContactTable& table, Index i,
+                  Index wall_material, const Vec3& normal);
+
+    /// Smallest dt_i of (1) [s]; infinite without contacts.
+    double limit(const ParticleState& particles) const;
+
+    /// dt_i of one particle [s]; infinite without contacts.
+    double limit_of(const ParticleState& particles, Index slot) const;
+
+    /// Step of one lone contact of the stiffest and lightest kind [s]: where an automatic step starts
+    /// from while nothing is in contact.
+    static double single_contact_limit(const ParticleState& particles, const ContactTable& table,
+                                       Index material_count);
+
+private:
+    void add(Index slot, const Vec3& normal, double lever, const ContactStiffness& stiffness);
+
+    Column<double> sums_;  ///< six per particle: k_x, k_y, k_z, kappa_x, kappa_y, kappa_z
+};
+
+/// Largest dt for which no particle moves by more than its tolerance along an axis [s]:
+/// |v| dt + a dt^2 / 2 <= epsilon (physics reference 2.4, conservative in the signs).
+/// \param tolerance [1] epsilon over the radius
+double kinematic_limit(const ParticleState& particles, const Vec3& gravity, double tolerance);
+
+}  // namespace grainbench

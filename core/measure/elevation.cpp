@@ -1,0 +1,78 @@
+#include "core/measure/elevation.hpp"
+
+#include <limits>
+
+namespace grainbench {
+
+namespace {
+
+double mean_height(const ParticleState& particles, const std::vector<Index>& slots,
+                   const Vec3& up) {
+    double sum = 0.0;
+    for (const Index slot : slots) {
+        sum += dot(up, particles.position(slot));
+    }
+    return sum / static_cast<double>(slots.size());
+}
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+std::optional<double> if_number(double x) {
+    return std::isnan(x) ? std::nullopt : std::optional<double>(x);
+}
+
+}  // namespace
+
+Elevation::Elevation(std::vector<Index> upper, std::vector<Index> lower, const Vec3& up)
+    : upper_(std::move(upper)), lower_(std::move(lower)), up_(up) {}
+
+void Elevation::begin_interval(double t, double interval) {
+    origin_ = t;
+    interval_ = interval;
+    complete_ = 0;
+    sum_ = 0.0;
+    count_ = 0;
+}
+
+double Elevation::compute(const ParticleState& particles) const {
+    return mean_height(particles, upper_, up_) - mean_height(particles, lower_, up_);
+}
+
+void Elevation::sample(const ParticleState& particles, double t) {
+    last_ = compute(particles);
+    if (last_ > 0.0 && !entrainment_time_) {
+        entrainment_time_ = t;
+    }
+    sum_ += last_;
+    ++count_;
+    if (t >= origin_ + static_cast<double>(complete_ + 1) * interval_) {
+        average_ = sum_ / static_cast<double>(count_);
+        sum_ = 0.0;
+        count_ = 0;
+        while (t >= origin_ + static_cast<double>(complete_ + 1) * interval_) {
+            ++complete_;
+        }
+    }
+}
+
+void Elevation::save(Archive& archive) const {
+    archive.put("elevation/numbers",
+                std::vector<double>{origin_, interval_, sum_, last_, average_.value_or(none),
+                                    entrainment_time_.value_or(none)});
+    archive.put("elevation/counts", std::vector<std::uint64_t>{complete_, count_});
+}
+
+void Elevation::load(const Archive& archive) {
+    const auto& numbers = archive.get<double>("elevation/numbers");
+    origin_ = numbers.at(0);
+    interval_ = numbers.at(1);
+    sum_ = numbers.at(2);
+    last_ = numbers.at(3);
+    average_ = if_number(numbers.at(4));
+    entrainment_time_ = if_number(numbers.at(5));
+    const auto& counts = archive.get<std::uint64_t>("elevation/counts");
+    complete_ = counts.at(0);
+    count_ = counts.at(1);
+}
+
+}  // namespace grainbench

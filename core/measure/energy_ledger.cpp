@@ -1,0 +1,128 @@
+#include "core/measure/energy_ledger.hpp"
+
+namespace grainbench {
+
+namespace {
+
+struct Velocities {
+    Vec3 linear;
+    Vec3 angular;
+};
+
+/// Velocities `lead` seconds after the half step, under the present forces.
+Velocities velocities_at(const ParticleState& p, const Vec3& gravity, Index slot, double lead) {
+    return {p.velocity(slot) + lead * (p.inverse_mass(slot) * p.force(slot) + gravity),
+            p.spin(slot) + (lead * p.inverse_inertia(slot)) * p.torque(slot)};
+}
+
+Vec3 normal_of(const double* record) {
+    return {record[record_normal_x], record[record_normal_y], record[record_normal_z]};
+}
+
+Vec3 damping_of(const double* record) {
+    return {record[record_damping_x], record[record_damping_y], record[record_damping_z]};
+}
+
+}  // namespace
+
+std::pair<double, double> kinetic_energies(const ParticleState& particles, const Vec3& gravity,
+                                           double timestep) {
+    double translation = 0.0;
+    double rotation = 0.0;
+    for (Index slot = 0; slot < particles.size(); ++slot) {
+        const Velocities v = velocities_at(particles, gravity, slot, 0.5 * timestep);
+        translation += 0.5 * dot(v.linear, v.linear) / particles.inverse_mass(slot);
+        rotation += 0.5 * dot(v.angular, v.angular) / particles.inverse_inertia(slot);
+    }
+    return {translation, rotation};
+}
+
+void EnergyLedger::start(const LedgerView& view, double timestep) {
+    *this = {};
+    const Energies now = energies(view, timestep);
+    initial_ = now.kinetic_translation + now.kinetic_rotation + now.potential + now.elastic;
+}
+
+void EnergyLedger::add_work(const LedgerView& view, double lead, double duration) {
+    const ParticleState& p = view.particles;
+    const auto touching = view.pairs.touching();
+    for (Index t = 0; t < touching.size(); ++t) {
+        const double* record = view.pairs.record(t);
+        const Index i = view.pairs.objects().i[touching[t]];
+        const Index j = view.pairs.objects().j[touching[t]];
+        const Velocities vi = velocities_at(p, view.gravity, i, lead);
+        const Velocities vj = velocities_at(p, view.gravity, j, lead);
+        const Vec3 spin =
+            record[record_lever_i] * vi.angular + record[record_lever_j] * vj.angular;
+        const Vec3 relative = vj.linear - vi.linear - cross(spin, normal_of(record));
+        dashpot_ -= dot(damping_of(record), relative) * duration;  // (2)
+    }
+    for (std::size_t w = 0; w < view.walls.size(); ++w) {
+        const WallContacts& contacts = view.wall_contacts[w];
+        for (Index t = 0; t < contacts.touching_count(); ++t) {
+            const double* record = contacts.record(t);
+            const Index i = contacts.particle(t);
+            const Vec3 normal = contacts.normal(t);
+            const Velocities vi = velocities_at(p, view.gravity, i, lead);
+            const Vec3 at = p.position(i) + record[record_lever_i] * normal;
+            const Vec3 wall_velocity = view.walls[w].velocity_at(at);
+            const Vec3 relative =
+                wall_velocity - vi.linear - cross(record[record_lever_i] * vi.angular, normal);
+            dashpot_ -= dot(damping_of(record), relative) * duration;
+            wall_work_ -= dot(contacts.force(t), wall_velocity) * duration;
+        }
+    }
+}
+
+void EnergyLedger::end_step(const LedgerView& view, double timestep) {
+    add_work(view, 0.25 * timestep, 0.5 * timestep);
+    for (Index t = 0; t < view.pairs.touching().size(); ++t) {
+        slip_ += view.pairs.record(t)[record_slip_work];
+    }
+    for (const WallContacts& contacts : view.wall_contacts) {
+        for (Index t = 0; t < contacts.touching_count(); ++t) {
+            slip_ += contacts.record(t)[record_slip_work];
+        }
+    }
+}
+
+void EnergyLedger::begin_step(const LedgerView& view, double old_timestep, double timestep) {
+    add_work(view, 0.5 * old_timestep + 0.25 * timestep, 0.5 * timestep);
+}
+
+Energies EnergyLedger::energies(const LedgerView& view, double timestep) const {
+    Energies e;
+    std::tie(e.kinetic_translation, e.kinetic_rotation) =
+        kinetic_energies(view.particles, view.gravity, timestep);
+    for (Index slot = 0; slot < view.particles.size(); ++slot) {
+        e.potential -= view.particles.mass(slot) * dot(view.gravity, view.particles.position(slot));
+    }
+    for (Index t = 0; t < view.pairs.touching().size(); ++t) {
+        e.elastic += view.pairs.record(t)[record_stored];
+    }
+    for (const WallContacts& contacts : view.wall_contacts) {
+        for (Index t = 0; t < contacts.touching_count(); ++t) {
+            e.elastic += contacts.record(t)[record_stored];
+        }
+    }
+    e.dissipated_slip = slip_;
+    e.dissipated_dashpot = dashpot_;
+    e.wall_work = wall_work_;
+    e.numerical = initial_ + wall_work_ - e.kinetic_translation - e.kinetic_rotation -
+                  e.potential - e.elastic - slip_ - dashpot_;  // (1)
+    return e;
+}
+
+void EnergyLedger::save(Archive& archive) const {
+    archive.put("energy", std::vector<double>{initial_, slip_, dashpot_, wall_work_});
+}
+
+void EnergyLedger::load(const Archive& archive) {
+    const auto& sums = archive.get<double>("energy");
+    initial_ = sums.at(0);
+    slip_ = sums.at(1);
+    dashpot_ = sums.at(2);
+    wall_work_ = sums.at(3);
+}
+
+}  // namespace grainbench

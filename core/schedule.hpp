@@ -1,0 +1,89 @@
+/// When output is due: intervals that count from the start of a stage and never drift.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/archive.hpp"
+#include "core/scene.hpp"
+
+namespace grainbench {
+
+/// Fires at origin + n * interval, n = 1, 2, ...; at most once per call.
+class IntervalTimer {
+public:
+    void begin(double origin, std::optional<double> interval) {
+        origin_ = origin;
+        interval_ = interval.value_or(0.0);
+        fired_ = 0;
+    }
+
+    bool is_due(double t) {
+        if (interval_ <= 0.0 || t < origin_ + static_cast<double>(fired_ + 1) * interval_) {
+            return false;
+        }
+        while (t >= origin_ + static_cast<double>(fired_ + 1) * interval_) {
+            ++fired_;
+        }
+        return true;
+    }
+
+    void save(Archive& archive, const std::string& name) const {
+        archive.put(name + "/times", std::vector<double>{origin_, interval_});
+        archive.put(name + "/fired", fired_);
+    }
+
+    void load(const Archive& archive, const std::string& name) {
+        origin_ = archive.get<double>(name + "/times").at(0);
+        interval_ = archive.get<double>(name + "/times").at(1);
+        fired_ = archive.count(name + "/fired");
+    }
+
+private:
+    double origin_ = 0.0;
+    double interval_ = 0.0;
+    std::uint64_t fired_ = 0;
+};
+
+/// All timers of a run.
+class Schedule {
+public:
+    /// Starts the intervals of a stage anew at time t.
+    void begin(const Output& output, double t) {
+        frame.begin(t, output.frame_interval);
+        history.begin(t, output.history_interval);
+        trace.begin(t, output.trace_interval);
+        checkpoint.begin(t, output.checkpoint_interval);
+        history_cycles_ = output.history_cycles.value_or(0);
+    }
+
+    bool history_is_due(double t, std::uint64_t cycle) {
+        const bool by_time = history.is_due(t);
+        return by_time ||
+               (history_cycles_ > 0 && cycle % static_cast<std::uint64_t>(history_cycles_) == 0);
+    }
+
+    void save(Archive& archive) const {
+        frame.save(archive, "schedule/frame");
+        history.save(archive, "schedule/history");
+        trace.save(archive, "schedule/trace");
+        checkpoint.save(archive, "schedule/checkpoint");
+    }
+
+    void load(const Archive& archive) {
+        frame.load(archive, "schedule/frame");
+        history.load(archive, "schedule/history");
+        trace.load(archive, "schedule/trace");
+        checkpoint.load(archive, "schedule/checkpoint");
+    }
+
+    IntervalTimer frame;
+    IntervalTimer history;
+    IntervalTimer trace;
+    IntervalTimer checkpoint;
+
+private:
+    std::int64_t history_cycles_ = 0;
+};
+
+}  // namespace grainbench

@@ -1,0 +1,493 @@
+#include "core/simulation.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#include "core/engine.hpp"
+#include "core/measure/elevation.hpp"
+#include "core/measure/selection.hpp"
+#include "core/schedule.hpp"
+
+namespace grainbench {
+
+namespace {
+
+/// Hash FNV-1a, 64 bits, over the bytes of columns.
+class Fnv {
+public:
+    template <class T>
+    void add(const std::vector<T>& column) {
+        const auto* bytes = reinterpret_cast<const unsigned char*>(column.data());
+        for (std::size_t k = 0; k < column.size() * sizeof(T); ++k) {
+            hash_ = (hash_ ^ bytes[k]) * 0x100000001b3ULL;
+        }
+    }
+
+    std::uint64_t value() const { return hash_; }
+
+private:
+    std::uint64_t hash_ = 0xcbf29ce484222325ULL;
+};
+
+Vec3 up_direction(const Scene& scene) {
+    const Vec3 g = scene.gravity.value_or(Vec3{});
+    return norm(g) > 0.0 ? normalized(-g) : Vec3{0.0, 0.0, 1.0};
+}
+
+std::vector<Index> required_group(const Scene& scene, const std::string& name,
+                                  const ParticleState& particles) {
+    std::vector<Index> slots;
+    for (const Group& group : scene.groups) {
+        if (group.name == name) {
+            slots = slots_of_group(scene, group, particles);
+        }
+    }
+    if (slots.empty()) {
+        throw_bad_input({.what = "the group '" + name + "' holds no particle",
+                         .where = "/observables/elevation",
+                         .likely_cause = "an unknown group, or its species or box is empty",
+                         .next_step = "check /groups and /particles/insertion"});
+    }
+    return slots;
+}
+
+}  // namespace
+
+struct Simulation::Impl {
+    Impl(const Scene& scene_in, int index_in, const SimulationOptions& options)
+        : scene(scene_in),
+          index(index_in),
+          engine(scene, static_cast<std::uint64_t>(scene.realisations.seed + index), options) {
+        const ParticleState& particles = engine.particles();
+        groups = group_numbers(scene, particles);
+        layers = scene.layers ? layer_numbers(*scene.layers, particles)
+                              : std::vector<std::int32_t>(particles.size(), 0);
+        traced = traced_slots(scene, particles);
+        if (const auto& wanted = scene.observables.elevation) {
+            elevation.emplace(required_group(scene, wanted->upper, particles),
+                              required_group(scene, wanted->lower, particles),
+                              up_direction(scene));
+        }
+        name_columns();
+        enter_stage(0);
+    }
+
+    void name_columns();
+    void enter_stage(std::size_t next);
+    void observe();
+    void report_all(Observer& observer, const Simulation& self);
+    void report_due(Observer& observer, const Simulation& self);
+
+    const Stage& current_stage() const { return scene.stages[stage]; }
+
+    const Output& output() const {
+        return current_stage().output ? *current_stage().output : scene.output;
+    }
+
+    Scene scene;
+    int index;
+    Engine engine;
+    std::vector<std::int32_t> groups, layers;
+    std::vector<Index> traced;
+    std::optional<Elevation> elevation;
+    std::vector<HistoryColumn> columns;
+    Schedule schedule;
+    std::size_t stage = 0;
+    double stage_start = 0.0;
+    double stage_end = 0.0;
+    bool started = false;
+    bool finished = false;
+    double smallest_timestep = std::numeric_limits<double>::infinity();
+    double largest_timestep = 0.0;
+    double largest_overlap_ratio = 0.0;
+};
+
+void Simulation::Impl::name_columns() {
+    columns = {{"time", "s", "simulated time"},
+               {"cycle", "1", "cycles since the start"},
+               {"timestep", "s", "step of the last cycle"},
+               {"contacts_active", "1", "touching contacts, with walls"},
+               {"contacts_all", "1", "contact objects, touching or near, with walls"},
+               {"kinetic_energy", "J", "translation and rotation"},
+               {"overlap_ratio", "1", "deepest overlap over the smaller radius"}};
+    if (elevation) {
+        columns.push_back({"elevation", "m", "mean height of the upper group over the lower"});
+        columns.push_back({"elevation_average", "m", "its mean over the last complete interval"});
+    }
+    if (scene.observables.energy) {
+        for (const auto& [name, doc] : std::initializer_list<std::pair<const char*, const char*>>{
+                 {"energy_kinetic_translation", "kinetic energy of translation"},
+                 {"energy_kinetic_rotation", "kinetic energy of rotation"},
+                 {"energy_potential", "in gravity, from the origin"},
+                 {"energy_elastic", "held by contact springs"},
+                 {"energy_dissipated_slip", "lost to sliding friction"},
+                 {"energy_dissipated_dashpot", "lost to dashpots"},
+                 {"energy_wall_work", "work of the walls on the particles"},
+                 {"energy_numerical", "what the ledger leaves: lost by the integrator"}}) {
+            columns.push_back({name, "J", doc});
+        }
+    }
+    if (scene.observables.wall_forces) {
+        for (const Wall& wall : scene.walls) {
+            for (const char* axis : {"x", "y", "z"}) {
+                columns.push_back({wall.name + ".force_" + axis, "N", "of particles on the wall"});
+            }
+            for (const char* axis : {"x", "y", "z"}) {
+                columns.push_back({wall.name + ".torque_" + axis, "N m", "about the origin"});
+            }
+            columns.push_back({wall.name + ".displacement_z", "m", "of the wall since the start"});
+        }
+    }
+}
+
+void Simulation::Impl::enter_stage(std::size_t next) {
+    stage = next;
+    stage_start = engine.time();
+    stage_end = stage_start + current_stage().duration;
+    engine.begin_stage(current_stage());
+    schedule.begin(output(), stage_start);
+    if (elevation) {
+        elevation->begin_interval(stage_start,
+                                  current_stage().average_interval.value_or(
+                                      scene.observables.elevation->average_interval));
+    }
+}
+
+void Simulation::Impl::observe() {
+    smallest_timestep = std::min(smallest_timestep, engine.timestep());
+    largest_timestep = std::max(largest_timestep, engine.timestep());
+    if (elevation &&
+        engine.cycle() %
+                static_cast<std::uint64_t>(scene.observables.elevation->sample_cycles) == 0) {
+        elevation->sample(engine.particles(), engine.time());
+    }
+}
+
+void Simulation::Impl::report_all(Observer& observer, const Simulation& self) {
+    largest_overlap_ratio = std::max(largest_overlap_ratio, engine.largest_overlap_ratio());
+    observer.on_history(self);
+    observer.on_trace(self);
+    observer.on_frame(self);
+    observer.on_checkpoint(self);
+}
+
+void Simulation::Impl::report_due(Observer& observer, const Simulation& self) {
+    const double t = engine.time();
+    if (schedule.history_is_due(t, engine.cycle())) {
+        largest_overlap_ratio = std::max(largest_overlap_ratio, engine.largest_overlap_ratio());
+        observer.on_history(self);
+    }
+    if (schedule.trace.is_due(t)) {
+        observer.on_trace(self);
+    }
+    if (schedule.frame.is_due(t)) {
+        observer.on_frame(self);
+    }
+    if (schedule.checkpoint.is_due(t)) {
+        observer.on_checkpoint(self);
+    }
+}
+
+Simulation::Simulation(const Scene& scene, int index, const SimulationOptions& options)
+    : impl_(std::make_unique<Impl>(scene, index, options)) {}
+
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+bool Simulation::advance(std::uint64_t cycles, Observer& observer) {
+    Impl& s = *impl_;
+    if (!s.started) {
+        s.started = true;
+        if (s.elevation) {
+            s.elevation->sample(s.engine.particles(), s.engine.time());
+        }
+        s.report_all(observer, *this);
+    }
+    while (!s.finished) {
+        if (s.engine.time() >= s.stage_end) {
+            if (s.stage + 1 < s.scene.stages.size()) {
+                s.enter_stage(s.stage + 1);
+                continue;
+            }
+            s.finished = true;
+            s.report_all(observer, *this);
+            break;
+        }
+        if (cycles-- == 0) {
+            return false;
+        }
+        s.engine.step();
+        s.observe();
+        // The very last cycle is reported in full below, once.
+        if (s.engine.time() < s.stage_end || s.stage + 1 < s.scene.stages.size()) {
+            s.report_due(observer, *this);
+        }
+    }
+    return true;
+}
+
+int Simulation::index() const {
+    return impl_->index;
+}
+
+double Simulation::time() const {
+    return impl_->engine.time();
+}
+
+double Simulation::end_time() const {
+    double end = impl_->stage_end;
+    for (std::size_t next = impl_->stage + 1; next < impl_->scene.stages.size(); ++next) {
+        end += impl_->scene.stages[next].duration;
+    }
+    return end;
+}
+
+double Simulation::timestep() const {
+    return impl_->engine.timestep();
+}
+
+std::uint64_t Simulation::cycle() const {
+    return impl_->engine.cycle();
+}
+
+std::size_t Simulation::stage() const {
+    return impl_->stage;
+}
+
+bool Simulation::finished() const {
+    return impl_->finished;
+}
+
+std::size_t Simulation::particle_count() const {
+    return impl_->engine.particles().size();
+}
+
+std::size_t Simulation::candidate_count() const {
+    return impl_->engine.pairs().candidate_count();
+}
+
+std::size_t Simulation::contact_count() const {
+    return impl_->engine.contact_count();
+}
+
+std::size_t Simulation::touching_count() const {
+    return impl_->engine.touching_count();
+}
+
+std::span<const InsertionReport> Simulation::insertion_reports() const {
+    return impl_->engine.insertion_reports();
+}
+
+std::string Simulation::isa() const {
+    return std::string(impl_->engine.kernels().isa);
+}
+
+ParticleFrame Simulation::particle_frame() const {
+    const Impl& s = *impl_;
+    const ParticleState& p = s.engine.particles();
+    const std::vector<std::int32_t> current_layers =
+        s.scene.layers ? current_layer_numbers(*s.scene.layers, p)
+                       : std::vector<std::int32_t>(p.size(), 0);
+    std::vector<std::int32_t> contacts(p.size(), 0);
+    for (const Index k : s.engine.pairs().touching()) {
+        ++contacts[s.engine.pairs().objects().i[k]];
+        ++contacts[s.engine.pairs().objects().j[k]];
+    }
+    for (const WallContacts& wall : s.engine.wall_contacts()) {
+        for (Index t = 0; t < wall.touching_count(); ++t) {
+            ++contacts[wall.particle(t)];
+        }
+    }
+    ParticleFrame frame{.time = time(), .cycle = cycle()};
+    for (const Index slot : p.slots_by_id()) {
+        frame.id.push_back(p.id(slot));
+        frame.position.push_back(p.position(slot));
+        frame.radius.push_back(p.radius(slot));
+        frame.species.push_back(static_cast<std::int32_t>(p.species(slot)));
+        frame.group.push_back(s.groups[slot]);
+        frame.layer.push_back(s.layers[slot]);
+        frame.current_layer.push_back(current_layers[slot]);
+        frame.velocity.push_back(s.engine.full_velocity(slot));
+        frame.angular_velocity.push_back(s.engine.full_spin(slot));
+        frame.force.push_back(s.engine.contact_force(slot));
+        frame.contacts.push_back(contacts[slot]);
+    }
+    return frame;
+}
+
+WallFrame Simulation::wall_frame() const {
+    WallFrame frame{.time = time(), .cycle = cycle()};
+    const auto walls = impl_->engine.walls();
+    const auto contacts = impl_->engine.wall_contacts();
+    for (std::size_t w = 0; w < walls.size(); ++w) {
+        WallSurface surface = walls[w].surface().outline();
+        surface.name = walls[w].name();
+        for (Vec3& point : surface.points) {
+            point = walls[w].to_space(point);
+        }
+        surface.velocity = walls[w].velocity().linear;
+        for (Index t = 0; t < contacts[w].touching_count(); ++t) {
+            surface.force += contacts[w].force(t);
+        }
+        frame.walls.push_back(std::move(surface));
+    }
+    return frame;
+}
+
+ContactFrame Simulation::contact_frame() const {
+    const Engine& engine = impl_->engine;
+    const ParticleState& p = engine.particles();
+    ContactFrame frame{.time = time(), .cycle = cycle()};
+    const auto append = [&](const double* record) {
+        frame.force_normal.push_back(record[record_normal]);
+        frame.force_tangential.push_back(record[record_tangential]);
+    };
+    const auto touching = engine.pairs().touching();
+    for (Index t = 0; t < touching.size(); ++t) {
+        const Index i = engine.pairs().objects().i[touching[t]];
+        const Index j = engine.pairs().objects().j[touching[t]];
+        frame.i_id.push_back(p.id(i));
+        frame.j_id.push_back(p.id(j));
+        frame.wall.push_back(0);
+        frame.i_position.push_back(p.position(i));
+        frame.j_position.push_back(p.position(j));
+        frame.overlap.push_back(p.radius(i) + p.radius(j) -
+                                norm(p.position(j) - p.position(i)));
+        append(engine.pairs().record(t));
+    }
+    for (std::size_t w = 0; w < engine.walls().size(); ++w) {
+        const WallContacts& contacts = engine.wall_contacts()[w];
+        for (Index t = 0; t < contacts.touching_count(); ++t) {
+            const Index i = contacts.particle(t);
+            frame.i_id.push_back(p.id(i));
+            frame.j_id.push_back(0);
+            frame.wall.push_back(static_cast<std::int32_t>(w + 1));
+            frame.i_position.push_back(p.position(i));
+            frame.j_position.push_back(contacts.point(p, t));
+            frame.overlap.push_back(p.radius(i) - contacts.distance(t));
+            append(contacts.record(t));
+        }
+    }
+    return frame;
+}
+
+std::vector<TracePoint> Simulation::trace_points() const {
+    std::vector<TracePoint> points;
+    for (const Index slot : impl_->traced) {
+        points.push_back({impl_->engine.particles().id(slot),
+                          impl_->engine.particles().position(slot),
+                          impl_->engine.full_velocity(slot)});
+    }
+    return points;
+}
+
+const std::vector<HistoryColumn>& Simulation::history_columns() const {
+    return impl_->columns;
+}
+
+std::vector<double> Simulation::history_row() const {
+    const Impl& s = *impl_;
+    const auto [translation, rotation] =
+        kinetic_energies(s.engine.particles(), s.engine.gravity(), s.engine.timestep());
+    std::vector<double> row{time(),
+                            static_cast<double>(cycle()),
+                            timestep(),
+                            static_cast<double>(touching_count()),
+                            static_cast<double>(contact_count()),
+                            translation + rotation,
+                            s.engine.largest_overlap_ratio()};
+    if (s.elevation) {
+        row.push_back(s.elevation->compute(s.engine.particles()));
+        row.push_back(s.elevation->average().value_or(std::numeric_limits<double>::quiet_NaN()));
+    }
+    if (s.engine.has_ledger()) {
+        const Energies e = s.engine.energies();
+        row.insert(row.end(), {e.kinetic_translation, e.kinetic_rotation, e.potential, e.elastic,
+                               e.dissipated_slip, e.dissipated_dashpot, e.wall_work, e.numerical});
+    }
+    if (s.scene.observables.wall_forces) {
+        for (std::size_t w = 0; w < s.engine.walls().size(); ++w) {
+            const WallContacts& contacts = s.engine.wall_contacts()[w];
+            Vec3 force{};
+            Vec3 torque{};
+            for (Index t = 0; t < contacts.touching_count(); ++t) {
+                force += contacts.force(t);
+                torque += cross(contacts.point(s.engine.particles(), t), contacts.force(t));
+            }
+            row.insert(row.end(), {force.x, force.y, force.z, torque.x, torque.y, torque.z,
+                                   s.engine.walls()[w].displacement().z});
+        }
+    }
+    return row;
+}
+
+Summary Simulation::summary() const {
+    const Impl& s = *impl_;
+    Summary summary;
+    summary.cycles = cycle();
+    summary.time = time();
+    summary.mean_timestep = cycle() > 0 ? time() / static_cast<double>(cycle()) : 0.0;
+    summary.smallest_timestep = cycle() > 0 ? s.smallest_timestep : 0.0;
+    summary.largest_timestep = s.largest_timestep;
+    if (s.elevation) {
+        summary.entrainment_time = s.elevation->entrainment_time();
+        summary.average_elevation = s.elevation->average();
+    }
+    summary.late_contacts = s.engine.late_count();
+    summary.largest_overlap_ratio = s.largest_overlap_ratio;
+    summary.searches = s.engine.pairs().renewals();
+    summary.candidate_builds = s.engine.pairs().candidate_builds();
+    return summary;
+}
+
+std::uint64_t Simulation::state_hash() const {
+    Archive archive;
+    save(archive);
+    Fnv hash;
+    for (const auto& [name, column] : archive.columns()) {
+        std::visit([&](const auto& values) { hash.add(values); }, column);
+    }
+    return hash.value();
+}
+
+void Simulation::save(Archive& archive) const {
+    const Impl& s = *impl_;
+    s.engine.save(archive);
+    s.schedule.save(archive);
+    if (s.elevation) {
+        s.elevation->save(archive);
+    }
+    archive.put("time", time());
+    archive.put("cycle", cycle());
+    archive.put("stage", static_cast<std::uint64_t>(s.stage));
+    archive.put("flags", std::vector<std::uint8_t>{s.started, s.finished});
+    archive.put("numbers", std::vector<double>{s.stage_start, s.stage_end, s.smallest_timestep,
+                                               s.largest_timestep, s.largest_overlap_ratio});
+}
+
+void Simulation::load(const Archive& archive) {
+    Impl& s = *impl_;
+    const auto& numbers = archive.get<double>("numbers");
+    const auto stage = static_cast<std::size_t>(archive.count("stage"));
+    for (std::size_t next = 1; next <= stage && next < s.scene.stages.size(); ++next) {
+        s.engine.begin_stage(s.scene.stages[next]);
+    }
+    s.stage = stage;
+    s.engine.load(archive);
+    s.schedule.begin(s.output(), numbers.at(0));
+    s.schedule.load(archive);
+    if (s.elevation) {
+        s.elevation->load(archive);
+    }
+    s.stage_start = numbers.at(0);
+    s.stage_end = numbers.at(1);
+    s.smallest_timestep = numbers.at(2);
+    s.largest_timestep = numbers.at(3);
+    s.largest_overlap_ratio = numbers.at(4);
+    s.started = archive.get<std::uint8_t>("flags").at(0) != 0;
+    s.finished = archive.get<std::uint8_t>("flags").at(1) != 0;
+}
+
+}  // namespace grainbench

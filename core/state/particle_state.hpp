@@ -1,0 +1,87 @@
+/// State of the particles of one realisation, in columns of packets of four doubles
+/// (share/doc/decisions/0002-packets-of-four.md). Slots are in spatial order at the start; ids are in
+/// order of insertion, from 1.
+#pragma once
+
+#include <span>
+
+#include "core/archive.hpp"
+#include "core/insertion/insert.hpp"
+#include "core/kernels/kernels.hpp"
+#include "core/scene.hpp"
+#include "core/state/aligned.hpp"
+
+namespace grainbench {
+
+class ParticleState {
+public:
+    ParticleState() = default;
+
+    /// \param density by species [kg/m^3]
+    ParticleState(std::span<const Sphere> spheres, std::span<const double> density);
+
+    Index size() const { return size_; }
+
+    ParticleView view();
+
+    Vec3 position(Index slot) const { return vector(position_, slot); }
+
+    double radius(Index slot) const { return position_[4 * slot + 3]; }
+
+    /// At the half step that the last cycle used [m/s].
+    Vec3 velocity(Index slot) const { return vector(velocity_, slot); }
+
+    Vec3 spin(Index slot) const { return vector(spin_, slot); }
+
+    /// Of all contacts, and gravity where inertia is scaled [N].
+    Vec3 force(Index slot) const { return vector(force_, slot); }
+
+    Vec3 torque(Index slot) const { return vector(torque_, slot); }
+
+    double inverse_mass(Index slot) const { return inverse_mass_[4 * slot]; }
+
+    double inverse_inertia(Index slot) const { return inverse_inertia_[4 * slot]; }
+
+    Index species(Index slot) const { return species_[slot]; }
+
+    std::int64_t id(Index slot) const { return id_[slot]; }
+
+    /// Gravitational mass [kg]; equals the inertial mass unless the step is density-scaled.
+    double mass(Index slot) const { return mass_[slot]; }
+
+    /// Slot of each id, ids ascending.
+    std::span<const Index> slots_by_id() const { return slots_by_id_; }
+
+    std::span<const double> positions() const { return position_; }
+
+    double smallest_radius() const { return smallest_radius_; }
+
+    double largest_radius() const { return largest_radius_; }
+
+    /// Sets the inertial mass to factor * mass and keeps the momentum.
+    void scale_inertia(Index slot, double factor);
+
+    /// Sets the force to weight, before contacts are added.
+    void load_weight(const Vec3& gravity);
+
+    void save(Archive& archive) const;
+    void load(const Archive& archive);
+
+private:
+    static Vec3 vector(const Column<double>& packets, Index slot) {
+        const double* p = packets.data() + 4 * static_cast<std::size_t>(slot);
+        return {p[0], p[1], p[2]};
+    }
+
+    Index size_ = 0;
+    double smallest_radius_ = 0.0;
+    double largest_radius_ = 0.0;
+    Column<double> position_, velocity_, spin_, force_, torque_;
+    Column<double> inverse_mass_, inverse_inertia_;
+    std::vector<double> mass_;
+    std::vector<Index> species_;
+    std::vector<std::int64_t> id_;
+    std::vector<Index> slots_by_id_;
+};
+
+}  // namespace grainbench

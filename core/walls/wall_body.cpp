@@ -1,0 +1,106 @@
+#include "core/walls/wall_body.hpp"
+
+#include <Eigen/Geometry>
+
+namespace grainbench {
+
+namespace {
+
+using RowMatrix = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
+Eigen::Vector3d eigen(const Vec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+Vec3 plain(const Eigen::Vector3d& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
+}  // namespace
+
+WallBody::WallBody(const Wall& wall, const std::string& where, Index material)
+    : name_(wall.name), material_(material), surface_(wall.shape, where) {
+    set_motion(wall.motion, 0.0);
+}
+
+void WallBody::set_motion(const WallMotion& motion, double t) {
+    motion_choice_ = motion;
+    motion_start_ = t;
+    motion_ = MotionEvaluator(motion, t);
+}
+
+void WallBody::move(double dt) {
+    displacement_ += dt * velocity_.linear;
+    const double speed = norm(velocity_.angular);
+    if (speed > 0.0) {
+        turned_ = true;
+        const Eigen::Quaterniond turn(
+            Eigen::AngleAxisd(speed * dt, eigen((1.0 / speed) * velocity_.angular)));
+        Eigen::Quaterniond pose(quaternion_[0], quaternion_[1], quaternion_[2], quaternion_[3]);
+        pose = (turn * pose).normalized();
+        quaternion_[0] = pose.w();
+        quaternion_[1] = pose.x();
+        quaternion_[2] = pose.y();
+        quaternion_[3] = pose.z();
+        Eigen::Map<RowMatrix>(rotation_) = pose.toRotationMatrix();
+        const Vec3& centre = motion_.centre();
+        displacement_ = centre + plain(turn * eigen(displacement_ - centre));
+    }
+}
+
+Vec3 WallBody::to_wall(const Vec3& point) const {
+    const Vec3 arm = point - displacement_;
+    if (!turned_) {
+        return arm;
+    }
+    return plain(Eigen::Map<const RowMatrix>(rotation_).transpose() * eigen(arm));
+}
+
+Vec3 WallBody::direction_to_space(const Vec3& direction) const {
+    if (!turned_) {
+        return direction;
+    }
+    return plain(Eigen::Map<const RowMatrix>(rotation_) * eigen(direction));
+}
+
+Vec3 WallBody::to_space(const Vec3& point) const {
+    return displacement_ + direction_to_space(point);
+}
+
+double WallBody::relative_speed_bound(const Vec3& fastest, const Vec3& frame) const {
+    const Vec3 offset = velocity_.linear - frame;
+    const Vec3 bound{fastest.x + std::abs(offset.x), fastest.y + std::abs(offset.y),
+                     fastest.z + std::abs(offset.z)};
+    const double turning = norm(velocity_.angular);
+    // The farthest point of the surface from the centre of rotation moves fastest.
+    const double rim =
+        turning > 0.0 ? turning * surface_.extent_from(to_wall(motion_.centre())) : 0.0;
+    return norm(bound) + rim;
+}
+
+void WallBody::save(Archive& archive, const std::string& name) const {
+    archive.put(name + "/pose",
+                std::vector<double>{displacement_.x, displacement_.y, displacement_.z,
+                                    quaternion_[0], quaternion_[1], quaternion_[2], quaternion_[3],
+                                    turned_ ? 1.0 : 0.0});
+    archive.put(name + "/motion_start", motion_start_);
+    archive.put(name + "/velocity",
+                std::vector<double>{velocity_.linear.x, velocity_.linear.y, velocity_.linear.z,
+                                    velocity_.angular.x, velocity_.angular.y, velocity_.angular.z});
+    archive.put(name + "/rotation", std::vector<double>(rotation_, rotation_ + 9));
+}
+
+void WallBody::load(const Archive& archive, const std::string& name) {
+    const auto& pose = archive.get<double>(name + "/pose");
+    displacement_ = {pose.at(0), pose.at(1), pose.at(2)};
+    std::copy_n(pose.begin() + 3, 4, quaternion_);
+    turned_ = pose.at(7) != 0.0;
+    // The choice of motion comes from the stages; only when it began is part of the state.
+    set_motion(motion_choice_, archive.number(name + "/motion_start"));
+    const auto& v = archive.get<double>(name + "/velocity");
+    velocity_ = {{v.at(0), v.at(1), v.at(2)}, {v.at(3), v.at(4), v.at(5)}};
+    const auto& rotation = archive.get<double>(name + "/rotation");
+    std::copy_n(rotation.begin(), 9, rotation_);
+}
+
+}  // namespace grainbench
