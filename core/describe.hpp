@@ -126,4 +126,8 @@ struct Overloaded : F... {
     using F::operator()...;
 };
 
+/// For clang 14 (clang-tidy), which does not deduce the arguments of aggregates.
+template <class... F>
+Overloaded(F...) -> Overloaded<F...>;
+
 }  // namespace grainbench

@@ -1,0 +1,46 @@
+# Which layer may include what: core <- io <- render <- cli, tests may see all, nobody sees tests.
+include(${CMAKE_CURRENT_LIST_DIR}/lint.cmake)
+
+# Project headers allowed in quotes, third-party headers allowed in angle brackets. A header of the
+# standard library has no dot in its name and is allowed everywhere.
+set(quoted_core "^core/")
+set(angled_core "^(Eigen|hwy|tbb|oneapi/tbb)/")
+set(quoted_io "^(core|io)/")
+set(angled_io "^(nlohmann|valijson|fmt|spdlog)/|^vtk[A-Za-z0-9]+[.]h$|^hdf5[.]h$|^(unistd|fcntl|sys/[a-z]+)[.]h$")
+set(quoted_render "^(core|io|render)/")
+set(forbidden_render "^core/contact/")  # pictures come from run folders, not from laws
+set(angled_render "^(nlohmann|fmt)/|^vtk[A-Za-z0-9]+[.]h$|^GL/")
+set(quoted_cli "^(core|io|render|cli)/")
+set(angled_cli "^(CLI|fmt|spdlog)/|^(unistd|sys/[a-z]+)[.]h$")
+set(quoted_tests "^(core|io|render|cli|tests)/")
+set(angled_tests "^")
+
+# A law is one equation and reads nothing but what a law is.
+set(quoted_law "^core/(contact/law|describe)[.]hpp$")
+set(angled_law "^$")
+
+foreach(layer IN LISTS lint_layers)
+    file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/${layer}/*.hpp ${ROOT}/${layer}/*.cpp)
+    foreach(path IN LISTS files)
+        set(rule ${layer})
+        if(path MATCHES "^core/contact/laws/")
+            set(rule law)
+        endif()
+        file(STRINGS ${ROOT}/${path} includes REGEX "^[ \t]*#[ \t]*include")
+        foreach(line IN LISTS includes)
+            if(line MATCHES "include[ \t]*\"([^\"]+)\"")
+                set(header ${CMAKE_MATCH_1})
+                if(NOT header MATCHES "${quoted_${rule}}"
+                   OR (DEFINED forbidden_${rule} AND header MATCHES "${forbidden_${rule}}"))
+                    lint_breach(${path} "may not include \"${header}\"")
+                endif()
+            elseif(line MATCHES "include[ \t]*<([^>]+)>")
+                set(header ${CMAKE_MATCH_1})
+                if(header MATCHES "[./]" AND NOT header MATCHES "${angled_${rule}}")
+                    lint_breach(${path} "may not include <${header}>")
+                endif()
+            endif()
+        endforeach()
+    endforeach()
+endforeach()
+lint_finish()
