@@ -145,9 +145,14 @@ double Engine::choose_timestep() const {
     }
     const auto& automatic = std::get<AutomaticTimestep>(scheme_);
     double timestep = automatic.safety_factor * stable_;
-    const double previous =
-        timestep_ > 0.0 ? automatic.growth * timestep_ : automatic.safety_factor * single_contact_;
-    timestep = std::min(timestep, previous);
+    if (timestep_ > 0.0) {
+        timestep = std::min(timestep, automatic.growth * timestep_);
+    }
+    // A particle in free flight must meet its first contact at a step that this contact can bear. Only
+    // contacts created on overlap come unannounced: there the step grows until something touches.
+    if (!detection_.create_on_overlap || timestep_ == 0.0) {
+        timestep = std::min(timestep, automatic.safety_factor * single_contact_);
+    }
     timestep = std::min(timestep, automatic.maximum.value_or(timestep));
     // The kinematic limit can only bind where a particle nearly crosses its tolerance in a step.
     const double epsilon = detection_.tolerance * particles_.smallest_radius();
@@ -193,16 +198,17 @@ void Engine::move(double timestep) {
 }
 
 void Engine::find_contacts() {
-    bool renewed = pairs_.update(cycle_, particles_, bed_shift_, *kernels_);
+    Renewal renewal = pairs_.update(cycle_, particles_, bed_shift_, *kernels_);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
-        renewed = wall_contacts_[w].update(cycle_, particles_, walls_[w], *kernels_) || renewed;
+        renewal = std::max(renewal,
+                           wall_contacts_[w].update(cycle_, particles_, walls_[w], *kernels_));
     }
     bool changed = pairs_.find_touching(particles_, *kernels_);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         changed =
             wall_contacts_[w].find_touching(particles_, walls_[w], *kernels_) || changed;
     }
-    if (detection_.create_on_overlap ? changed : renewed) {
+    if (detection_.create_on_overlap ? changed : renewal != Renewal::none) {
         update_stable_step();
     }
 }
@@ -213,13 +219,14 @@ void Engine::update_stable_step() {
     }
     sums_.clear();
     const PairList& objects = pairs_.objects();
+    const PairList& soon = pairs_.soon();
     if (detection_.create_on_overlap) {
         for (const Index k : pairs_.touching()) {
             sums_.add_pair(particles_, table_, objects.i[k], objects.j[k]);
         }
     } else {
-        for (Index k = 0; k < objects.count; ++k) {
-            sums_.add_pair(particles_, table_, objects.i[k], objects.j[k]);
+        for (Index k = 0; k < soon.count; ++k) {
+            sums_.add_pair(particles_, table_, soon.i[k], soon.j[k]);
         }
     }
     for (std::size_t w = 0; w < walls_.size(); ++w) {
@@ -230,7 +237,7 @@ void Engine::update_stable_step() {
                                contacts.normal(t));
             }
         } else {
-            for (const WallObject& object : contacts.objects()) {
+            for (const WallObject& object : contacts.soon()) {
                 sums_.add_wall(particles_, table_, object.particle, walls_[w].material(),
                                object.normal);
             }
@@ -271,7 +278,7 @@ std::size_t Engine::contact_count() const {
     }
     std::size_t count = pairs_.objects().count;
     for (const WallContacts& contacts : wall_contacts_) {
-        count += contacts.objects().size();
+        count += contacts.object_count();
     }
     return count;
 }

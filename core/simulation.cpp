@@ -300,7 +300,9 @@ ParticleFrame Simulation::particle_frame() const {
             ++contacts[wall.particle(t)];
         }
     }
-    ParticleFrame frame{.time = time(), .cycle = cycle()};
+    ParticleFrame frame;
+    frame.time = time();
+    frame.cycle = cycle();
     for (const Index slot : p.slots_by_id()) {
         frame.id.push_back(p.id(slot));
         frame.position.push_back(p.position(slot));
@@ -318,7 +320,9 @@ ParticleFrame Simulation::particle_frame() const {
 }
 
 WallFrame Simulation::wall_frame() const {
-    WallFrame frame{.time = time(), .cycle = cycle()};
+    WallFrame frame;
+    frame.time = time();
+    frame.cycle = cycle();
     const auto walls = impl_->engine.walls();
     const auto contacts = impl_->engine.wall_contacts();
     for (std::size_t w = 0; w < walls.size(); ++w) {
@@ -339,7 +343,9 @@ WallFrame Simulation::wall_frame() const {
 ContactFrame Simulation::contact_frame() const {
     const Engine& engine = impl_->engine;
     const ParticleState& p = engine.particles();
-    ContactFrame frame{.time = time(), .cycle = cycle()};
+    ContactFrame frame;
+    frame.time = time();
+    frame.cycle = cycle();
     const auto append = [&](const double* record) {
         frame.force_normal.push_back(record[record_normal]);
         frame.force_tangential.push_back(record[record_tangential]);

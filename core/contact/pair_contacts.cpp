@@ -1,6 +1,7 @@
 #include "core/contact/pair_contacts.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace grainbench {
 
@@ -42,6 +43,8 @@ void PairContacts::change_history(std::span<const int> sources) {
 void PairContacts::add_travel(double bound) {
     near_clock_.add(bound);
     candidate_clock_.add(bound);
+    soon_travel_ += bound;
+    last_travel_ = bound;
 }
 
 bool PairContacts::is_due(std::uint64_t cycle, const ParticleState& particles,
@@ -59,21 +62,45 @@ bool PairContacts::is_due(std::uint64_t cycle, const ParticleState& particles,
                                bed_shift, true);
 }
 
-bool PairContacts::update(std::uint64_t cycle, ParticleState& particles, const Vec3& bed_shift,
-                          const Kernels& kernels) {
-    if (!is_due(cycle, particles, bed_shift)) {
-        return false;
+Renewal PairContacts::update(std::uint64_t cycle, const ParticleState& particles,
+                             const Vec3& bed_shift, const Kernels& kernels) {
+    if (is_due(cycle, particles, bed_shift)) {
+        if (!started_ ||
+            candidate_clock_.expired(settings_.slack, particles, bed_shift, true)) {
+            build_candidates(particles, bed_shift);
+        }
+        renew(particles, kernels);
+        renew_soon(particles, kernels);
+        near_clock_.restart(particles, bed_shift);
+        last_cycle_ = cycle;
+        started_ = true;
+        return Renewal::objects;
     }
-    const bool stale =
-        !started_ || candidate_clock_.expired(settings_.slack, particles, bed_shift, true);
-    if (stale) {
-        build_candidates(particles, bed_shift);
+    if (soon_travel_ > soon_limit_ && !settings_.brute_force) {
+        renew_soon(particles, kernels);
+        return Renewal::soon;
     }
-    renew(particles, kernels);
-    near_clock_.restart(particles, bed_shift);
-    last_cycle_ = cycle;
-    started_ = true;
-    return true;
+    return Renewal::none;
+}
+
+void PairContacts::renew_soon(const ParticleState& particles, const Kernels& kernels) {
+    soon_limit_ = settings_.soon_travel(last_travel_, particles.smallest_radius());
+    soon_travel_ = 0.0;
+    found_.resize(contacts_.i.size());
+    Index count = contacts_.count;
+    if (settings_.brute_force) {
+        std::iota(found_.begin(), found_.end(), Index{0});
+    } else {
+        count = kernels.find_pairs({particles.positions().data(), contacts_.i.data(),
+                                    contacts_.j.data(), contacts_.count, 1.0, 2.0 * soon_limit_,
+                                    found_.data()});
+    }
+    soon_.clear();
+    soon_place_.assign(found_.begin(), found_.begin() + count);
+    for (Index k = 0; k < count; ++k) {
+        soon_.append(contacts_.i[found_[k]], contacts_.j[found_[k]]);
+    }
+    soon_.pad();
 }
 
 void PairContacts::build_candidates(const ParticleState& particles, const Vec3& bed_shift) {
@@ -159,8 +186,11 @@ void PairContacts::collect_active() {
 
 bool PairContacts::find_touching(const ParticleState& particles, const Kernels& kernels) {
     touching_count_ =
-        kernels.find_pairs({particles.positions().data(), contacts_.i.data(), contacts_.j.data(),
-                            contacts_.count, 1.0, 0.0, touching_.data()});
+        kernels.find_pairs({particles.positions().data(), soon_.i.data(), soon_.j.data(),
+                            soon_.count, 1.0, 0.0, touching_.data()});
+    for (Index t = 0; t < touching_count_; ++t) {
+        touching_[t] = soon_place_[touching_[t]];
+    }
     bool changed = touching_count_ != touched_before_count_;
     Index now = 0;
     for (Index before = 0; before < touched_before_count_; ++before) {
@@ -207,6 +237,10 @@ void PairContacts::save(Archive& archive) const {
     archive.put("pairs/candidate_j", plain(candidates_.j, candidates_.count));
     archive.put("pairs/contact_i", plain(contacts_.i, contacts_.count));
     archive.put("pairs/contact_j", plain(contacts_.j, contacts_.count));
+    archive.put("pairs/soon_i", plain(soon_.i, soon_.count));
+    archive.put("pairs/soon_j", plain(soon_.j, soon_.count));
+    archive.put("pairs/soon_place", plain(soon_place_, soon_place_.size()));
+    archive.put("pairs/soon_clock", std::vector<double>{last_travel_, soon_travel_, soon_limit_});
     archive.put("pairs/active", active_);
     archive.put("pairs/history", plain(history_, history_.size()));
     archive.put("pairs/touching", plain(touching_, touching_count_));
@@ -229,6 +263,13 @@ void PairContacts::load(const Archive& archive) {
     };
     restore(candidates_, "candidate");
     restore(contacts_, "contact");
+    restore(soon_, "soon");
+    const auto& places = archive.get<std::uint32_t>("pairs/soon_place");
+    soon_place_.assign(places.begin(), places.end());
+    const auto& clock = archive.get<double>("pairs/soon_clock");
+    last_travel_ = clock.at(0);
+    soon_travel_ = clock.at(1);
+    soon_limit_ = clock.at(2);
     active_ = archive.get<std::uint8_t>("pairs/active");
     const auto& history = archive.get<double>("pairs/history");
     history_.assign(history.begin(), history.end());

@@ -1,7 +1,12 @@
-/// Contacts between particles: the objects that exist (touching or near), their history, and which of
-/// them touch now. Lists are in lexicographic order of (i, j), so that history is carried over in one
-/// sweep and forces are summed in one fixed order.
+/// Contacts between particles, in three lists, each a part of the one before and each renewed when
+/// particles may have travelled far enough to matter: candidates (a cell grid away), contact objects
+/// (within the detection tolerance; they hold the history) and those that may touch soon (within the
+/// travel of a few steps; they count for the stable step). Touching contacts are looked for in the last
+/// only. Lists are in lexicographic order of (i, j), so that history is carried over in one sweep and
+/// forces are summed in one fixed order.
 #pragma once
+
+#include <algorithm>
 
 #include "core/contact/contact_table.hpp"
 #include "core/search/candidates.hpp"
@@ -15,7 +20,20 @@ struct SearchSettings {
     double slack = 0.0;         ///< travel that the candidate list allows beyond the tolerance
     std::int64_t interval = 0;  ///< cycles between renewals; 0 = displacement trigger
     bool brute_force = false;   ///< every pair is a contact object for ever (reference engine)
+
+    /// Travel of one particle that the list of contacts that may touch soon allows [m], given the
+    /// largest travel of the last step.
+    double soon_travel(double last_step, double smallest_radius) const {
+        return std::max(soon_steps * last_step, 1e-3 * smallest_radius);
+    }
+
+    /// Steps at the present speed that a list of soon contacts should last. More steps mean fewer
+    /// renewals, longer lists, and a smaller automatic step (share/doc/decisions/0004).
+    static constexpr double soon_steps = 2.0;
 };
+
+/// What an update renewed.
+enum class Renewal { none, soon, objects };
 
 class PairContacts {
 public:
@@ -28,9 +46,9 @@ public:
     /// Adds the travel bound of one step, relative to the bed's frame.
     void add_travel(double bound);
 
-    /// Renews the list if it is due. True if it was.
-    bool update(std::uint64_t cycle, ParticleState& particles, const Vec3& bed_shift,
-                const Kernels& kernels);
+    /// Renews the lists that are due, at the present positions.
+    Renewal update(std::uint64_t cycle, const ParticleState& particles, const Vec3& bed_shift,
+                   const Kernels& kernels);
 
     /// Finds the touching contacts; those that opened lose their history. True if the set changed.
     bool find_touching(const ParticleState& particles, const Kernels& kernels);
@@ -41,6 +59,10 @@ public:
 
     const PairList& objects() const { return contacts_; }
 
+    /// Those that touch or may touch soon.
+    const PairList& soon() const { return soon_; }
+
+    /// Places in objects(), ascending.
     std::span<const Index> touching() const { return {touching_.data(), touching_count_}; }
 
     /// Of touching contact t; only where forces were added with records.
@@ -63,6 +85,7 @@ private:
     bool is_due(std::uint64_t cycle, const ParticleState& particles, const Vec3& bed_shift);
     void build_candidates(const ParticleState& particles, const Vec3& bed_shift);
     void renew(const ParticleState& particles, const Kernels& kernels);
+    void renew_soon(const ParticleState& particles, const Kernels& kernels);
     void carry_over(const ParticleState& particles, const PairList& old_list,
                     const std::vector<std::uint8_t>& old_active, const Column<double>& old_history,
                     std::size_t old_stride);
@@ -77,6 +100,12 @@ private:
     CandidateFinder finder_;
     PairList candidates_;
     PairList contacts_;
+    PairList soon_;
+    Column<Index> soon_place_;   ///< in contacts_
+    double last_travel_ = 0.0;   ///< bound of the last step
+    double soon_travel_ = 0.0;   ///< since the soon list was renewed
+    double soon_limit_ = 0.0;
+    Column<Index> found_;
     std::vector<std::uint8_t> active_;  ///< by contact: acted in the last step, or born overlapping
     Column<double> history_;            ///< columns of history_stride_
     std::size_t history_stride_ = 0;

@@ -20,7 +20,7 @@ void for_each_particle(Index count, Particle&& particle, Visit&& visit) {
 }
 
 ClosePatches close_patches(const ParticleState& particles, const WallBody& wall,
-                           const PairList& list, double scale, Index* found) {
+                           const PairList& list, double scale, double extra, Index* found) {
     ClosePatches query{.position = particles.positions().data(),
                        .planes = wall.surface().bounding_planes().data(),
                        .particle = list.i.data(),
@@ -32,7 +32,7 @@ ClosePatches close_patches(const ParticleState& particles, const WallBody& wall,
                        .centre = {},
                        .rotated = wall.is_turned(),
                        .scale = scale,
-                       .extra = 0.0,
+                       .extra = extra,
                        .found = found};
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column) {
@@ -68,6 +68,8 @@ void WallContacts::change_history(std::span<const int> sources) {
 void WallContacts::add_travel(double bound) {
     near_clock_.add(bound);
     candidate_clock_.add(bound);
+    soon_travel_ += bound;
+    last_travel_ = bound;
 }
 
 bool WallContacts::is_due(std::uint64_t cycle, const ParticleState& particles,
@@ -85,21 +87,26 @@ bool WallContacts::is_due(std::uint64_t cycle, const ParticleState& particles,
                                wall.displacement(), !wall.is_turned());
 }
 
-bool WallContacts::update(std::uint64_t cycle, const ParticleState& particles,
-                          const WallBody& wall, const Kernels& kernels) {
-    if (!is_due(cycle, particles, wall)) {
-        return false;
+Renewal WallContacts::update(std::uint64_t cycle, const ParticleState& particles,
+                             const WallBody& wall, const Kernels& kernels) {
+    if (is_due(cycle, particles, wall)) {
+        if (!started_ || candidate_clock_.expired(settings_.slack, particles,
+                                                  wall.displacement(), !wall.is_turned())) {
+            build_candidates(particles, wall);
+        }
+        renew(particles, wall, kernels);
+        renew_soon(particles, wall, kernels);
+        near_clock_.restart(particles, wall.displacement());
+        last_cycle_ = cycle;
+        just_renewed_ = started_;
+        started_ = true;
+        return Renewal::objects;
     }
-    if (!started_ || candidate_clock_.expired(settings_.slack, particles, wall.displacement(),
-                                              !wall.is_turned())) {
-        build_candidates(particles, wall);
+    if (soon_travel_ > soon_limit_ && !settings_.brute_force) {
+        renew_soon(particles, wall, kernels);
+        return Renewal::soon;
     }
-    renew(particles, wall, kernels);
-    near_clock_.restart(particles, wall.displacement());
-    last_cycle_ = cycle;
-    just_renewed_ = started_;
-    started_ = true;
-    return true;
+    return Renewal::none;
 }
 
 void WallContacts::build_candidates(const ParticleState& particles, const WallBody& wall) {
@@ -126,7 +133,7 @@ void WallContacts::renew(const ParticleState& particles, const WallBody& wall,
     Column<Index> found(static_cast<std::size_t>(candidates_.count) + 8);
     const double scale = settings_.brute_force ? 1e300 : 1.0 + settings_.tolerance;
     const Index count =
-        kernels.find_patches(close_patches(particles, wall, candidates_, scale, found.data()));
+        kernels.find_patches(close_patches(particles, wall, candidates_, scale, 0.0, found.data()));
     near_ = {};
     fresh_.clear();
     Index old = 0;
@@ -143,9 +150,7 @@ void WallContacts::renew(const ParticleState& particles, const WallBody& wall,
         fresh_.push_back(known ? 0 : 1);
     }
     near_.pad();
-    found_.resize(near_.i.size());
-
-    objects_.clear();
+    object_count_ = 0;
     WallHits hits;
     for_each_particle(
         near_.count, [&](Index k) { return near_.i[k]; },
@@ -153,8 +158,35 @@ void WallContacts::renew(const ParticleState& particles, const WallBody& wall,
             const double reach = (1.0 + settings_.tolerance) * particles.radius(particle);
             wall.surface().resolve(wall.to_wall(particles.position(particle)), reach,
                                    {near_.j.data() + first, last - first}, hits);
+            object_count_ += static_cast<Index>(hits.count);
+        });
+}
+
+void WallContacts::renew_soon(const ParticleState& particles, const WallBody& wall,
+                              const Kernels& kernels) {
+    soon_limit_ = settings_.soon_travel(last_travel_, particles.smallest_radius());
+    soon_travel_ = 0.0;
+    // Against a wall only the particle travels, relative to it: once the limit, not twice.
+    const double extra = settings_.brute_force ? 1e300 : soon_limit_;
+    found_.resize(near_.i.size());
+    const Index count = kernels.find_patches(
+        close_patches(particles, wall, near_, 1.0, extra, found_.data()));
+    soon_.clear();
+    soon_place_.assign(found_.begin(), found_.begin() + count);
+    for (Index k = 0; k < count; ++k) {
+        soon_.append(near_.i[found_[k]], near_.j[found_[k]]);
+    }
+    soon_.pad();
+    soon_objects_.clear();
+    WallHits hits;
+    for_each_particle(
+        soon_.count, [&](Index k) { return soon_.i[k]; },
+        [&](Index particle, Index first, Index last) {
+            wall.surface().resolve(wall.to_wall(particles.position(particle)),
+                                   particles.radius(particle) + soon_limit_,
+                                   {soon_.j.data() + first, last - first}, hits);
             for (const WallHit& hit : hits.view()) {
-                objects_.push_back({particle, wall.direction_to_space(hit.normal)});
+                soon_objects_.push_back({particle, wall.direction_to_space(hit.normal)});
             }
         });
 }
@@ -197,20 +229,21 @@ bool WallContacts::find_touching(const ParticleState& particles, const WallBody&
     taken_.assign(count_before_, 0);
     count_ = 0;
 
-    const Index found = kernels.find_patches(
-        close_patches(particles, wall, near_, settings_.brute_force ? 1e300 : 1.0, found_.data()));
+    found_.resize(soon_.i.size());
+    const Index found = kernels.find_patches(close_patches(
+        particles, wall, soon_, 1.0, settings_.brute_force ? 1e300 : 0.0, found_.data()));
     bool changed = false;
     Index before = 0;
     std::vector<Index> patches;
     WallHits hits;
     for_each_particle(
-        found, [&](Index k) { return near_.i[found_[k]]; },
+        found, [&](Index k) { return soon_.i[found_[k]]; },
         [&](Index particle, Index first, Index last) {
             patches.clear();
             bool all_fresh = true;
             for (Index k = first; k < last; ++k) {
-                patches.push_back(near_.j[found_[k]]);
-                all_fresh = all_fresh && fresh_[found_[k]] != 0;
+                patches.push_back(soon_.j[found_[k]]);
+                all_fresh = all_fresh && fresh_[soon_place_[found_[k]]] != 0;
             }
             wall.surface().resolve(wall.to_wall(particles.position(particle)),
                                    particles.radius(particle), patches, hits);
@@ -330,9 +363,12 @@ void WallContacts::save(Archive& archive, const std::string& name) const {
     put_list(candidates_, "candidate");
     put_list(near_, "near");
     archive.put(name + "/fresh", fresh_);
+    put_list(soon_, "soon");
+    archive.put(name + "/soon_place", plain(soon_place_));
+    archive.put(name + "/soon_clock", std::vector<double>{last_travel_, soon_travel_, soon_limit_});
     std::vector<Index> object_particles;
     std::vector<double> object_normals;
-    for (const WallObject& object : objects_) {
+    for (const WallObject& object : soon_objects_) {
         object_particles.push_back(object.particle);
         object_normals.insert(object_normals.end(),
                               {object.normal.x, object.normal.y, object.normal.z});
@@ -350,7 +386,7 @@ void WallContacts::save(Archive& archive, const std::string& name) const {
     archive.put(name + "/force", plain(force_));
     archive.put(name + "/records", plain(records_));
     archive.put(name + "/counters",
-                std::vector<std::uint64_t>{count_, stride_, last_cycle_, late_,
+                std::vector<std::uint64_t>{count_, stride_, last_cycle_, late_, object_count_,
                                            static_cast<std::uint64_t>(just_renewed_)});
 }
 
@@ -368,12 +404,16 @@ void WallContacts::load(const Archive& archive, const std::string& name) {
     get_list(candidates_, "candidate");
     get_list(near_, "near");
     fresh_ = archive.get<std::uint8_t>(name + "/fresh");
-    found_.assign(near_.i.size(), 0);
+    get_list(soon_, "soon");
+    const auto& clock = archive.get<double>(name + "/soon_clock");
+    last_travel_ = clock.at(0);
+    soon_travel_ = clock.at(1);
+    soon_limit_ = clock.at(2);
     const auto& object_particles = archive.get<Index>(name + "/object_particle");
     const auto& object_normals = archive.get<double>(name + "/object_normal");
-    objects_.clear();
+    soon_objects_.clear();
     for (std::size_t k = 0; k < object_particles.size(); ++k) {
-        objects_.push_back({object_particles[k],
+        soon_objects_.push_back({object_particles[k],
                             {object_normals.at(3 * k), object_normals.at(3 * k + 1),
                              object_normals.at(3 * k + 2)}});
     }
@@ -385,6 +425,7 @@ void WallContacts::load(const Archive& archive, const std::string& name) {
         const auto& from = archive.get<Index>(name + "/" + column_name);
         column.assign(from.begin(), from.end());
     };
+    get_index(soon_place_, "soon_place");
     get_index(particle_, "particle");
     get_index(patch_, "patch");
     get(normal_, "normal");
@@ -400,7 +441,8 @@ void WallContacts::load(const Archive& archive, const std::string& name) {
     stride_ = counters.at(1);
     last_cycle_ = counters.at(2);
     late_ = counters.at(3);
-    just_renewed_ = counters.at(4) != 0;
+    object_count_ = static_cast<Index>(counters.at(4));
+    just_renewed_ = counters.at(5) != 0;
     started_ = true;
 }
 

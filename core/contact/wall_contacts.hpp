@@ -24,8 +24,8 @@ public:
 
     void add_travel(double bound);
 
-    /// Renews the list of near patches if it is due. True if it was.
-    bool update(std::uint64_t cycle, const ParticleState& particles, const WallBody& wall,
+    /// Renews the lists that are due, at the present positions.
+    Renewal update(std::uint64_t cycle, const ParticleState& particles, const WallBody& wall,
                 const Kernels& kernels);
 
     /// Finds the touching contacts and hands their history over. True if the set changed.
@@ -53,8 +53,11 @@ public:
         return records_.data() + static_cast<std::size_t>(t) * record_size;
     }
 
-    /// Contact objects (within the tolerance) as of the last renewal, or those that touch now.
-    std::span<const WallObject> objects() const { return objects_; }
+    /// Contact objects: within the detection tolerance at the last renewal.
+    Index object_count() const { return object_count_; }
+
+    /// Those that touch or may touch soon.
+    std::span<const WallObject> soon() const { return soon_objects_; }
 
     std::uint64_t late_count() const { return late_; }
 
@@ -69,6 +72,7 @@ private:
     bool is_due(std::uint64_t cycle, const ParticleState& particles, const WallBody& wall);
     void build_candidates(const ParticleState& particles, const WallBody& wall);
     void renew(const ParticleState& particles, const WallBody& wall, const Kernels& kernels);
+    void renew_soon(const ParticleState& particles, const WallBody& wall, const Kernels& kernels);
     void reserve(std::size_t contacts);
     bool add_hits(const ParticleState& particles, const WallBody& wall, Index particle,
                   std::span<const WallHit> hits, Index& before);
@@ -84,7 +88,11 @@ private:
     PairList near_;        ///< particle, patch
     bool just_renewed_ = false;
     std::vector<std::uint8_t> fresh_;  ///< by near entry: not near before the last renewal
-    std::vector<WallObject> objects_;
+    Index object_count_ = 0;
+    PairList soon_;                      ///< particle, patch
+    Column<Index> soon_place_;           ///< in near_
+    std::vector<WallObject> soon_objects_;
+    double last_travel_ = 0.0, soon_travel_ = 0.0, soon_limit_ = 0.0;
     Column<Index> found_;
 
     Index count_ = 0;

@@ -42,7 +42,8 @@ void WallBody::move(double dt) {
         quaternion_[1] = pose.x();
         quaternion_[2] = pose.y();
         quaternion_[3] = pose.z();
-        Eigen::Map<RowMatrix>(rotation_) = pose.toRotationMatrix();
+        Eigen::Map<RowMatrix> rows(rotation_);
+        rows = pose.toRotationMatrix();
         const Vec3& centre = motion_.centre();
         displacement_ = centre + plain(turn * eigen(displacement_ - centre));
     }
