@@ -117,9 +117,11 @@ private:
             return entry.jitter > 0.0 ? at + (2.0 * uniform_.next() - 1.0) * entry.jitter : at;
         };
         for (std::int64_t n = 0; n < nx * ny * nz; ++n) {
+            const std::int64_t row = n / nx;
+            const std::int64_t layer = row / ny;
             const double x = moved(entry.origin.x + static_cast<double>(n % nx) * step.x);
-            const double y = moved(entry.origin.y + static_cast<double>(n / nx % ny) * step.y);
-            const double z = moved(entry.origin.z + static_cast<double>(n / (nx * ny)) * step.z);
+            const double y = moved(entry.origin.y + static_cast<double>(row % ny) * step.y);
+            const double z = moved(entry.origin.z + static_cast<double>(layer) * step.z);
             place({.species = species,
                    .radius = radius_of(species),
                    .position = {x, y, z},

@@ -83,7 +83,7 @@ public:
 private:
     /// Items order_[first, last); the left child follows its parent, right is 0 in leaves.
     struct Node {
-        Bounds bounds;
+        Bounds bounds{};
         Index first = 0;
         Index last = 0;
         Index right = 0;

@@ -91,31 +91,18 @@ inline bool has_feature(const Shell& shell, Feature feature, Index id) {
     return feature == Feature::edge && (shell.rim[0] == id || shell.rim[1] == id);
 }
 
-/// Finds the closest point; false, with `out` unspecified, if it is farther than `reach`.
-inline bool closest_within(const Triangle& t, const Vec3& centre, double reach, Closest& out) {
-    const std::array<Vec3, 3> from{
-        centre - t.corner[0], centre - t.corner[1], centre - t.corner[2]};
-    const double height = dot(t.normal, from[0]);
-    if (std::abs(height) > reach) {
-        return false;
-    }
-    const std::array<double, 3> inside{
-        dot(t.inward[0], from[0]), dot(t.inward[1], from[1]), dot(t.inward[2], from[2])};
-    if (inside[0] > 0.0 && inside[1] > 0.0 && inside[2] > 0.0) {
-        out.point = centre - height * t.normal;
-        out.normal = detail::towards_face(t.normal, height);
-        out.distance = std::abs(height);
-        out.feature = Feature::face;
-        out.id = no_feature;
-        return true;
-    }
-    if (std::min({inside[0], inside[1], inside[2]}) < -reach) {
-        return false;
-    }
-    // From outside, the closest point lies on a side that faces the centre. Comparing distances
-    // instead of regions stays right for slivers, whose regions rounding can tear open.
-    double least = std::numeric_limits<double>::infinity();
-    Vec3 offset;
+/// For centres outside the sides where `inside` is not positive. The closest point lies on one of
+/// them; comparing distances instead of regions stays right for slivers, whose regions rounding can
+/// tear open. \param from [m] from each corner to the centre
+inline bool closest_on_sides(const Triangle& t,
+                             const Vec3& centre,
+                             const std::array<Vec3, 3>& from,
+                             const std::array<double, 3>& inside,
+                             double reach,
+                             Closest& out) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double least = infinity;
+    Vec3 offset{infinity, infinity, infinity};
     for (std::size_t k = 0; k < 3; ++k) {
         if (inside[k] > 0.0) {
             continue;
@@ -137,6 +124,30 @@ inline bool closest_within(const Triangle& t, const Vec3& centre, double reach, 
         }
     }
     return detail::set_rim(centre, offset, reach, t.normal, out);
+}
+
+/// Finds the closest point; false, with `out` unspecified, if it is farther than `reach`.
+inline bool closest_within(const Triangle& t, const Vec3& centre, double reach, Closest& out) {
+    const std::array<Vec3, 3> from{
+        centre - t.corner[0], centre - t.corner[1], centre - t.corner[2]};
+    const double height = dot(t.normal, from[0]);
+    if (std::abs(height) > reach) {
+        return false;
+    }
+    const std::array<double, 3> inside{
+        dot(t.inward[0], from[0]), dot(t.inward[1], from[1]), dot(t.inward[2], from[2])};
+    if (inside[0] > 0.0 && inside[1] > 0.0 && inside[2] > 0.0) {
+        out.point = centre - height * t.normal;
+        out.normal = detail::towards_face(t.normal, height);
+        out.distance = std::abs(height);
+        out.feature = Feature::face;
+        out.id = no_feature;
+        return true;
+    }
+    if (std::min({inside[0], inside[1], inside[2]}) < -reach) {
+        return false;
+    }
+    return closest_on_sides(t, centre, from, inside, reach, out);
 }
 
 inline bool closest_within(const Plate& plate, const Vec3& centre, double reach, Closest& out) {

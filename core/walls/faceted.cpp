@@ -22,7 +22,7 @@ std::int64_t circle_edges(double resolution) {
     // Chords are at most two radii long: coarser than that, a triangle is the coarsest circle.
     const double guess = pi / std::asin(std::min(0.5 * resolution, 1.0));
     std::int64_t n = std::max<std::int64_t>(3, static_cast<std::int64_t>(guess) - 1);
-    while (2.0 * std::sin(pi / static_cast<double>(n)) >= resolution && n < guess + 2.0) {
+    while (2.0 * std::sin(pi / static_cast<double>(n)) >= resolution) {
         ++n;
     }
     return n;

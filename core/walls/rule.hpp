@@ -57,7 +57,7 @@ public:
 private:
     /// Room without a constructor: zeroing it would cost more than the rule for two patches.
     union Room {
-        Room() {}
+        Room() {}  // NOLINT(modernize-use-equals-default): a default would zero it
 
         Candidate candidate;
     };

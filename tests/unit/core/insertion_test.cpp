@@ -12,15 +12,15 @@
 namespace grainbench {
 namespace {
 
-Scene example_scene() {
+Scene example_scene(std::int64_t tries = 1000000) {
     Scene scene;
     scene.particles.species = {{"small", 0.003, 1500.0}, {"large", 0.006, 2500.0}};
     scene.walls = {Wall{"container", example_container(), {}, {}}};
     scene.particles.insertion = {
         RandomInsertion{
-            "small", 100000, 1000000, {{-0.25, -0.05, -0.07}, {0.25, 0.05, -0.01}}, "container"},
+            "small", 100000, tries, {{-0.25, -0.05, -0.07}, {0.25, 0.05, -0.01}}, "container"},
         RandomInsertion{
-            "large", 100000, 1000000, {{-0.25, -0.05, -0.1}, {0.25, 0.05, -0.07}}, "container"}};
+            "large", 100000, tries, {{-0.25, -0.05, -0.1}, {0.25, 0.05, -0.07}}, "container"}};
     return scene;
 }
 
@@ -70,10 +70,11 @@ void expect_bad_input(const Scene& scene, const std::string& where) {
 
 class ExampleFilling : public testing::TestWithParam<std::uint64_t> {};
 
-TEST_P(ExampleFilling, HasTheCountsAndElevationOfTheExample) {
-    // About 1200 and 70 in the example; ranges of an own experiment, widened for other generators.
+// One test for all that is known of the filling: two million tries take seconds with sanitizers.
+TEST_P(ExampleFilling, MatchesTheExampleAndOverlapsNothing) {
     const Scene scene = example_scene();
     const InsertionResult result = fill(scene, GetParam());
+    // About 1200 and 70 in the example; ranges of an own experiment, widened for other generators.
     EXPECT_GE(count_of(result, 0), 1150);
     EXPECT_LE(count_of(result, 0), 1250);
     EXPECT_GE(count_of(result, 1), 64);
@@ -84,11 +85,17 @@ TEST_P(ExampleFilling, HasTheCountsAndElevationOfTheExample) {
     const double elevation = mean_height(result, 1) - mean_height(result, 0);
     EXPECT_GT(elevation, -0.046);
     EXPECT_LT(elevation, -0.044);
-}
 
-TEST_P(ExampleFilling, OverlapsNeitherSpheresNorWalls) {
-    const Scene scene = example_scene();
-    const InsertionResult result = fill(scene, GetParam());
+    // The subset that the example calibrates with.
+    InsertionResult subset = result;
+    std::erase_if(subset.spheres, [](const Sphere& sphere) {
+        return sphere.position.z > -0.04 || sphere.position.z < -0.08;
+    });
+    EXPECT_GE(count_of(subset, 0), 560);
+    EXPECT_LE(count_of(subset, 0), 630);
+    EXPECT_GE(count_of(subset, 1), 17);
+    EXPECT_LE(count_of(subset, 1), 29);
+
     EXPECT_GE(smallest_gap(result.spheres), -round_off(4, 0.01));
     const Surface container(scene.walls[0].shape, "");
     for (const Sphere& sphere : result.spheres) {
@@ -96,23 +103,10 @@ TEST_P(ExampleFilling, OverlapsNeitherSpheresNorWalls) {
     }
 }
 
-TEST_P(ExampleFilling, LeavesTheCalibrationSubsetAfterRemoval) {
-    Scene scene = example_scene();
-    scene.particles.removal = {{.axis = Axis::z, .low = -0.04}, {.axis = Axis::z, .high = -0.08}};
-    const InsertionResult result = fill(scene, GetParam());
-    EXPECT_GE(count_of(result, 0), 560);
-    EXPECT_LE(count_of(result, 0), 630);
-    EXPECT_GE(count_of(result, 1), 17);
-    EXPECT_LE(count_of(result, 1), 29);
-    EXPECT_GT(result.reports[0].placed, 1150);  // reports tell what was placed, not what was left
-}
-
 INSTANTIATE_TEST_SUITE_P(Seeds, ExampleFilling, testing::Values(10001, 10002, 10003));
 
 TEST(RandomInsertion, RepeatsItselfForTheSameSeedOnly) {
-    Scene scene = example_scene();
-    std::get<RandomInsertion>(scene.particles.insertion[0]).tries = 20000;
-    std::get<RandomInsertion>(scene.particles.insertion[1]).tries = 20000;
+    const Scene scene = example_scene(20000);
     const InsertionResult first = fill(scene, 5);
     const InsertionResult again = fill(scene, 5);
     const InsertionResult other = fill(scene, 6);
@@ -227,13 +221,14 @@ TEST(Removal, TakesCentresWithinTheOpenInterval) {
         LatticeInsertion{.species = "a", .spacing = {1, 1, 1}, .counts = {1, 5, 1}}};
     scene.particles.removal = {{.axis = Axis::y, .low = 1.0, .high = 3.0}};
     const InsertionResult result = fill(scene, 1);
+    EXPECT_EQ(result.reports[0].placed, 5);  // reports tell what was placed, not what was left
     ASSERT_EQ(result.spheres.size(), 4U);
     EXPECT_EQ(result.spheres[1].position.y, 1.0);
     EXPECT_EQ(result.spheres[2].position.y, 3.0);
 }
 
 TEST(Insertion, NamesWhatItCannotUnderstand) {
-    const Scene good = example_scene();
+    const Scene good = example_scene(100);
     Scene scene = good;
     std::get<RandomInsertion>(scene.particles.insertion[1]).species = "huge";
     expect_bad_input(scene, "/particles/insertion/1/species");

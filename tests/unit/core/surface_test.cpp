@@ -254,6 +254,7 @@ std::vector<Vec3> touching_points(const std::vector<Surface>& triangles,
                                   const Vec3& p,
                                   double reach) {
     std::vector<WallHit> nearest;
+    nearest.reserve(triangles.size());
     for (const Surface& triangle : triangles) {
         nearest.push_back(hits_of(triangle, p, 1e9).at(0));
     }
