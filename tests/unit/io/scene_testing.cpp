@@ -51,7 +51,9 @@ fs::path test_folder() {
 }
 
 Json every_key() {
-    return Json::parse(text_of(source_folder / "tests" / "unit" / "io" / "every_key.json"));
+    static const Json document =
+        Json::parse(text_of(source_folder / "tests" / "unit" / "io" / "every_key.json"));
+    return document;
 }
 
 fs::path import_folder() {
