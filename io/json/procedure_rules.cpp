@@ -1,0 +1,292 @@
+#include "core/scene.hpp"
+
+#include "io/json/scene_rules.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace grainbench::io {
+
+namespace {
+
+void add(Problems& problems,
+         std::string pointer,
+         std::string what,
+         std::string likely_cause,
+         std::string next_step) {
+    problems.add(
+        {std::move(pointer), std::move(what), std::move(likely_cause), std::move(next_step)});
+}
+
+bool has_shear_stiffness(const StiffnessLaw& law) {
+    return std::visit(
+        Overloaded{[](const ConstantStiffness::Params& p) { return p.shear > 0.0; },
+                   [](const DeformabilityStiffness::Params& p) { return p.ratio > 0.0; }},
+        law);
+}
+
+bool has_friction(const FrictionLaw& law) {
+    return std::visit([](const CoulombFriction::Params& p) { return p.coefficient > 0.0; }, law);
+}
+
+/// Friction needs a shear spring: without one it would do nothing, silently.
+void check_shear(const StiffnessLaw& stiffness,
+                 const std::optional<FrictionLaw>& friction,
+                 const std::string& pointer,
+                 Problems& problems) {
+    if (friction && has_friction(*friction) && !has_shear_stiffness(stiffness)) {
+        add(problems,
+            pointer,
+            "friction is on, but the shear stiffness is 0",
+            "'shear' (or 'ratio') is left out or 0",
+            "give a shear stiffness, or remove friction");
+    }
+}
+
+/// A pair's law must be on in the scene, and be the same law.
+template <class Law>
+void check_pair_law(const std::optional<Law>& of_pair,
+                    const Law* of_scene,
+                    const std::string& pointer,
+                    Problems& problems) {
+    if (!of_pair) {
+        return;
+    }
+    const auto key = [](const Law& law) {
+        return std::visit([]<class A>(const A&) { return A::key; }, law);
+    };
+    if (of_scene == nullptr) {
+        add(problems,
+            pointer,
+            fmt::format("'{}' is off in the scene", key(*of_pair)),
+            "a pair changes numbers of a law, it cannot turn one on",
+            "turn the law on for all contacts, with a number that does nothing there");
+    } else if (of_pair->index() != of_scene->index()) {
+        add(problems,
+            pointer,
+            fmt::format("'{}' here, but '{}' in the scene", key(*of_pair), key(*of_scene)),
+            "a pair changes numbers of a law, not the law",
+            fmt::format("use '{}' in the pair too", key(*of_scene)));
+    }
+}
+
+template <class Law>
+const Law* pointer_to(const std::optional<Law>& law) {
+    return law ? &*law : nullptr;
+}
+
+/// Checks the names of one pair; false if they are not two known ones.
+bool check_pair_names(const Scene& scene,
+                      const PairContact& pair,
+                      const std::string& at,
+                      Problems& problems) {
+    if (pair.between.size() != 2) {
+        add(problems,
+            at + "/between",
+            fmt::format("{} names; expected 2", pair.between.size()),
+            "a pair has two sides",
+            "give two names; the same twice for a species with itself");
+        return false;
+    }
+    const auto species = names_of(scene.particles.species);
+    auto known = species;
+    for (const Wall& wall : scene.walls) {
+        if (std::find(known.begin(), known.end(), wall.material_name()) == known.end()) {
+            known.push_back(wall.material_name());
+        }
+    }
+    const std::size_t before = problems.size();
+    check_known(pair.between[0], known, "material", at + "/between/0", problems);
+    check_known(pair.between[1], known, "material", at + "/between/1", problems);
+    if (problems.size() > before) {
+        return false;
+    }
+    const auto is_species = [&](const std::string& name) {
+        return std::find(species.begin(), species.end(), name) != species.end();
+    };
+    if (!is_species(pair.between[0]) && !is_species(pair.between[1])) {
+        add(problems,
+            at + "/between",
+            "a pair of two walls",
+            "walls do not touch each other",
+            "name a species on one side");
+    }
+    return true;
+}
+
+void check_groups(const Scene& scene, Problems& problems) {
+    check_unique_names(names_of(scene.groups), "/groups", problems);
+    for (std::size_t i = 0; i < scene.groups.size(); ++i) {
+        const Group& group = scene.groups[i];
+        const std::string at = fmt::format("/groups/{}", i);
+        if (group.species) {
+            check_known(*group.species,
+                        names_of(scene.particles.species),
+                        "species",
+                        at + "/species",
+                        problems);
+        }
+        if (group.box) {
+            check_box(group.box->low, group.box->high, at + "/box", problems);
+        }
+    }
+}
+
+void check_layers(const Layers& layers, Problems& problems) {
+    const auto& edges = layers.edges;
+    if (edges.size() < 2) {
+        add(problems,
+            "/layers/edges",
+            fmt::format("{} edges; expected at least 2", edges.size()),
+            "a layer lies between two edges",
+            "add edges, or remove 'layers'");
+        return;
+    }
+    const bool descending = edges[1] < edges[0];
+    for (std::size_t i = 1; i < edges.size(); ++i) {
+        if (!(descending ? edges[i] < edges[i - 1] : edges[i] > edges[i - 1])) {
+            add(problems,
+                fmt::format("/layers/edges/{}", i),
+                fmt::format("{} m after {} m: edges neither all descend nor all ascend",
+                            edges[i],
+                            edges[i - 1]),
+                "two edges are swapped or equal",
+                "sort the edges");
+            return;
+        }
+    }
+}
+
+void check_output(const Output& output, const std::string& pointer, Problems& problems) {
+    if (output.history_interval && output.history_cycles) {
+        add(problems,
+            pointer + "/history_cycles",
+            "both history_interval and history_cycles",
+            "one of them may come from an extended scene",
+            "keep one; null removes the other");
+    }
+}
+
+void check_observables(const Scene& scene, Problems& problems) {
+    if (const auto& elevation = scene.observables.elevation) {
+        const std::string at = "/observables/elevation";
+        const auto groups = names_of(scene.groups);
+        check_known(elevation->upper, groups, "group", at + "/upper", problems);
+        check_known(elevation->lower, groups, "group", at + "/lower", problems);
+        if (elevation->upper == elevation->lower) {
+            add(problems,
+                at + "/lower",
+                fmt::format("'{}' over itself", elevation->lower),
+                "the same group twice",
+                "name two different groups");
+        }
+    }
+    for (std::size_t i = 0; i < scene.traces.size(); ++i) {
+        if (const auto& species = scene.traces[i].species) {
+            check_known(*species,
+                        names_of(scene.particles.species),
+                        "species",
+                        fmt::format("/traces/{}/species", i),
+                        problems);
+        }
+    }
+}
+
+void check_stage(const Scene& scene,
+                 const Stage& stage,
+                 const std::string& at,
+                 Problems& problems) {
+    std::set<std::string_view> moved;
+    for (std::size_t i = 0; i < stage.motions.size(); ++i) {
+        const StageMotion& motion = stage.motions[i];
+        const std::string here = fmt::format("{}/motions/{}", at, i);
+        check_known(motion.wall, names_of(scene.walls), "wall", here + "/wall", problems);
+        if (!moved.insert(motion.wall).second) {
+            add(problems,
+                here + "/wall",
+                fmt::format("a second motion for '{}'", motion.wall),
+                "an entry was copied and not renamed",
+                "keep one motion for each wall");
+        }
+        check_motion(motion.motion, here + "/motion", problems);
+    }
+    if (stage.contact) {
+        check_contact(scene, *stage.contact, at + "/contact", problems);
+    }
+    if (stage.output) {
+        check_output(*stage.output, at + "/output", problems);
+    }
+    if (stage.average_interval && !scene.observables.elevation) {
+        add(problems,
+            at + "/average_interval",
+            "there is no elevation to average",
+            "'observables' has no 'elevation'",
+            "add observables/elevation, or remove this key");
+    }
+}
+
+}  // namespace
+
+void check_contact(const Scene& scene,
+                   const Contact& contact,
+                   const std::string& pointer,
+                   Problems& problems) {
+    check_shear(contact.stiffness, contact.friction, pointer + "/stiffness", problems);
+    std::set<std::pair<std::string, std::string>> seen;
+    for (std::size_t i = 0; i < contact.pairs.size(); ++i) {
+        const PairContact& pair = contact.pairs[i];
+        const std::string at = fmt::format("{}/pairs/{}", pointer, i);
+        if (check_pair_names(scene, pair, at, problems)) {
+            const auto [first, second] = std::minmax(pair.between[0], pair.between[1]);
+            if (!seen.emplace(first, second).second) {
+                add(problems,
+                    at + "/between",
+                    fmt::format("the pair '{}', '{}' stands twice", first, second),
+                    "the order of the names does not matter",
+                    "put all its numbers in one entry");
+            }
+        }
+        if (!pair.stiffness && !pair.friction && !pair.damping) {
+            add(problems,
+                at,
+                "the pair changes nothing",
+                "no law is given for it",
+                "add stiffness, friction or damping, or remove the pair");
+        }
+        check_pair_law(pair.stiffness, &contact.stiffness, at + "/stiffness", problems);
+        check_pair_law(pair.friction, pointer_to(contact.friction), at + "/friction", problems);
+        check_pair_law(pair.damping, pointer_to(contact.damping), at + "/damping", problems);
+        if (contact.friction && (pair.stiffness || pair.friction)) {
+            check_shear(pair.stiffness.value_or(contact.stiffness),
+                        pair.friction ? pair.friction : contact.friction,
+                        pair.stiffness ? at + "/stiffness" : at + "/friction",
+                        problems);
+        }
+    }
+}
+
+void check_procedure(const Scene& scene, Problems& problems) {
+    if (scene.format != Scene::format_name) {
+        add(problems,
+            "/format",
+            fmt::format("'{}' is not '{}'", scene.format, Scene::format_name),
+            "a file of another kind or version",
+            "check that this is a scene of this version");
+    }
+    if (scene.stages.empty()) {
+        add(problems, "/stages", "no stages", "the list is empty", "add a stage with its duration");
+    }
+    for (std::size_t i = 0; i < scene.stages.size(); ++i) {
+        check_stage(scene, scene.stages[i], fmt::format("/stages/{}", i), problems);
+    }
+    check_groups(scene, problems);
+    if (scene.layers) {
+        check_layers(*scene.layers, problems);
+    }
+    check_observables(scene, problems);
+    check_output(scene.output, "/output", problems);
+}
+
+}  // namespace grainbench::io

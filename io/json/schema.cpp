@@ -1,0 +1,58 @@
+#include "io/json/schema.hpp"
+
+#include "core/scene.hpp"
+
+#include "io/json/schema_builder.hpp"
+
+namespace grainbench::io {
+
+namespace {
+
+/// Counts that the rules of a scene ask for and a field table cannot say.
+void add_counts(Json& definitions) {
+    const auto list_of = [&](const char* owner, const char* member) -> Json& {
+        return definitions[owner]["properties"][member];
+    };
+    Json& counts = list_of("LatticeInsertion", "counts");
+    counts["minItems"] = 3;
+    counts["maxItems"] = 3;
+    Json& between = list_of("PairContact", "between");
+    between["minItems"] = 2;
+    between["maxItems"] = 2;
+    Json& triangles = list_of("Triangles", "triangles");
+    triangles["minItems"] = 1;
+    triangles["items"]["minItems"] = 3;
+    triangles["items"]["maxItems"] = 3;
+    list_of("Layers", "edges")["minItems"] = 2;
+    list_of("TableMotion", "times")["minItems"] = 2;
+    list_of("Scene", "stages")["minItems"] = 1;
+}
+
+}  // namespace
+
+std::string scene_schema() {
+    SchemaBuilder builder;
+    const Json full = builder.define<Scene>({});
+    const Json patch = builder.define_patch<Scene>();
+    Json& definitions = builder.definitions;
+    add_counts(definitions);
+    const std::string format(Scene::format_name);
+    definitions["Scene"]["properties"]["format"]["const"] = format;
+    definitions["ScenePatch"]["properties"]["format"] = {{"const", format}};
+    definitions["ScenePatch"]["properties"]["extends"] = {
+        {"type", "string"},
+        {"description",
+         "scene that this one changes, relative to this file; objects merge, lists "
+         "replace, null removes a key"}};
+    const Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
+                         {"title", "grainbench scene"},
+                         {"description", "Scene of grainbench, in SI units"},
+                         {"type", "object"},
+                         {"if", {{"required", {"extends"}}}},
+                         {"then", patch},
+                         {"else", full},
+                         {"definitions", std::move(definitions)}};
+    return pretty_text(schema);
+}
+
+}  // namespace grainbench::io
