@@ -5,10 +5,23 @@
 
 namespace grainbench::io {
 
-std::string to_text(double value) {
+namespace {
+
+template <class Number>
+std::string shortest_text(Number value) {
     std::array<char, 40> digits{};
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
     return {digits.data(), end};
+}
+
+}  // namespace
+
+std::string to_text(double value) {
+    return shortest_text(value);
+}
+
+std::string to_single_text(double value) {
+    return shortest_text(static_cast<float>(value));
 }
 
 std::string to_hex(std::uint64_t value) {

@@ -10,6 +10,9 @@ namespace grainbench::io {
 /// Shortest text that reads back to the same number.
 std::string to_text(double value);
 
+/// Shortest text that reads back to the same number of single precision, as view files hold them.
+std::string to_single_text(double value);
+
 /// Sixteen hexadecimal digits.
 std::string to_hex(std::uint64_t value);
 

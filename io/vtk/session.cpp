@@ -20,17 +20,13 @@ class VtkSession::Collector : public vtkOutputWindow {
 public:
     static Collector* New();
 
-    vtkTypeMacro(Collector, vtkOutputWindow)
-
-        void DisplayText(const char* text) override {
-        keep(text);
-    }
+    void DisplayText(const char*) override {}
 
     void DisplayErrorText(const char* text) override { keep(text); }
 
-    void DisplayWarningText(const char* text) override { keep(text); }
+    void DisplayWarningText(const char*) override {}
 
-    void DisplayGenericWarningText(const char* text) override { keep(text); }
+    void DisplayGenericWarningText(const char*) override {}
 
     void DisplayDebugText(const char*) override {}
 

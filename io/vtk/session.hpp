@@ -18,7 +18,7 @@ public:
     VtkSession(const VtkSession&) = delete;
     VtkSession& operator=(const VtkSession&) = delete;
 
-    /// First error since the start on one line, empty if there was none. Warnings count as errors.
+    /// First error since the start on one line, empty if there was none.
     std::string error() const;
 
 private:

@@ -44,8 +44,8 @@ inline WallFrame some_walls(double time = 0.1) {
     return frame;
 }
 
-inline ContactFrame some_contacts(std::size_t count) {
-    ContactFrame frame{.time = 0.1,
+inline ContactFrame some_contacts(std::size_t count, double time = 0.1) {
+    ContactFrame frame{.time = time,
                        .cycle = 7,
                        .i_id = {},
                        .j_id = {},
