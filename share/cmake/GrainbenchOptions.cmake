@@ -34,7 +34,7 @@ find_package(hwy 1.0 REQUIRED)
 find_package(Threads REQUIRED)
 if(GRAINBENCH_BUILD_IO)
     find_package(MPI REQUIRED COMPONENTS C)  # named by Debian's VTK targets
-    find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel IOXML IOGeometry IOLegacy)
+    find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel IOCore IOGeometry IOXML IOXMLParser)
     find_package(HDF5 1.10 REQUIRED COMPONENTS C)
     find_package(nlohmann_json 3.11 REQUIRED)
     find_package(CLI11 2.1 REQUIRED)
