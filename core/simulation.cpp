@@ -124,7 +124,8 @@ void Simulation::Impl::name_columns() {
                  {"energy_dissipated_slip", "lost to sliding friction"},
                  {"energy_dissipated_dashpot", "lost to dashpots"},
                  {"energy_wall_work", "work of the walls on the particles"},
-                 {"energy_numerical", "what the ledger leaves: lost by the integrator"}}) {
+                 {"energy_numerical", "lost by the integrator where contacts open and close"},
+                 {"energy_residual", "what the ledger leaves: round-off"}}) {
             columns.push_back({name, "J", doc});
         }
     }
@@ -348,7 +349,8 @@ ContactFrame Simulation::contact_frame() const {
     frame.cycle = cycle();
     const auto append = [&](const double* record) {
         frame.force_normal.push_back(record[record_normal]);
-        frame.force_tangential.push_back(record[record_tangential]);
+        frame.force_tangential.push_back(
+            norm({record[record_shear_x], record[record_shear_y], record[record_shear_z]}));
     };
     const auto touching = engine.pairs().touching();
     for (Index t = 0; t < touching.size(); ++t) {
@@ -411,7 +413,8 @@ std::vector<double> Simulation::history_row() const {
     if (s.engine.has_ledger()) {
         const Energies e = s.engine.energies();
         row.insert(row.end(), {e.kinetic_translation, e.kinetic_rotation, e.potential, e.elastic,
-                               e.dissipated_slip, e.dissipated_dashpot, e.wall_work, e.numerical});
+                               e.dissipated_slip, e.dissipated_dashpot, e.wall_work, e.numerical,
+                               e.residual});
     }
     if (s.scene.observables.wall_forces) {
         for (std::size_t w = 0; w < s.engine.walls().size(); ++w) {

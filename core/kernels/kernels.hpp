@@ -60,7 +60,7 @@ struct ClosePatches {
     Index* found;
 };
 
-inline constexpr Index record_size = 12;
+inline constexpr Index record_size = 14;
 
 /// What a contact leaves for the ledger and for contact frames.
 enum RecordField : Index {
@@ -70,7 +70,9 @@ enum RecordField : Index {
     record_slip_work,   ///< [J]
     record_stored,      ///< [J]
     record_normal,      ///< [N] spring part
-    record_tangential,  ///< [N] spring part, magnitude
+    record_shear_x,     ///< [N] spring part on j, three components
+    record_shear_y,
+    record_shear_z,
     record_lever_i,     ///< [m]
     record_lever_j,     ///< [m]
     record_normal_x,    ///< [1] unit vector from i to j, three components

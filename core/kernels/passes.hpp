@@ -164,11 +164,10 @@ Vec3Of<Pack> force_on_j(const Load<Pack>& load, const Geometry<Pack>& g) {
 inline void keep_records(const Load<Pack>& load, const Geometry<Pack>& g, const Bodies& b,
                          Index valid, double* records) {
     const Vec3Of<Pack> damping = load.normal_damping * g.normal + load.shear_damping;
-    const Pack columns[record_size] = {damping.x,   damping.y,      damping.z,
-                                       load.slip_work, load.stored, load.normal,
-                                       square_root(dot(load.shear, load.shear)),
-                                       b.lever_i,   b.lever_j,      g.normal.x,
-                                       g.normal.y,  g.normal.z};
+    const Pack columns[record_size] = {damping.x,    damping.y,    damping.z,   load.slip_work,
+                                       load.stored,  load.normal,  load.shear.x, load.shear.y,
+                                       load.shear.z, b.lever_i,    b.lever_j,   g.normal.x,
+                                       g.normal.y,   g.normal.z};
     double lanes[width];
     for (Index field = 0; field < record_size; ++field) {
         store(columns[field], lanes);

@@ -23,6 +23,12 @@ Vec3 damping_of(const double* record) {
     return {record[record_damping_x], record[record_damping_y], record[record_damping_z]};
 }
 
+/// Of both springs on j.
+Vec3 spring_force_of(const double* record) {
+    return record[record_normal] * normal_of(record) +
+           Vec3{record[record_shear_x], record[record_shear_y], record[record_shear_z]};
+}
+
 }  // namespace
 
 std::pair<double, double> kinetic_energies(const ParticleState& particles, const Vec3& gravity,
@@ -41,6 +47,7 @@ void EnergyLedger::start(const LedgerView& view, double timestep) {
     *this = {};
     const Energies now = energies(view, timestep);
     initial_ = now.kinetic_translation + now.kinetic_rotation + now.potential + now.elastic;
+    initial_elastic_ = now.elastic;
 }
 
 void EnergyLedger::add_work(const LedgerView& view, double lead, double duration) {
@@ -56,6 +63,7 @@ void EnergyLedger::add_work(const LedgerView& view, double lead, double duration
             record[record_lever_i] * vi.angular + record[record_lever_j] * vj.angular;
         const Vec3 relative = vj.linear - vi.linear - cross(spin, normal_of(record));
         dashpot_ -= dot(damping_of(record), relative) * duration;  // (2)
+        spring_work_ += dot(spring_force_of(record), relative) * duration;
     }
     for (std::size_t w = 0; w < view.walls.size(); ++w) {
         const WallContacts& contacts = view.wall_contacts[w];
@@ -69,6 +77,7 @@ void EnergyLedger::add_work(const LedgerView& view, double lead, double duration
             const Vec3 relative =
                 wall_velocity - vi.linear - cross(record[record_lever_i] * vi.angular, normal);
             dashpot_ -= dot(damping_of(record), relative) * duration;
+            spring_work_ += dot(spring_force_of(record), relative) * duration;
             wall_work_ -= dot(contacts.force(t), wall_velocity) * duration;
         }
     }
@@ -108,21 +117,25 @@ Energies EnergyLedger::energies(const LedgerView& view, double timestep) const {
     e.dissipated_slip = slip_;
     e.dissipated_dashpot = dashpot_;
     e.wall_work = wall_work_;
-    e.numerical = initial_ + wall_work_ - e.kinetic_translation - e.kinetic_rotation -
-                  e.potential - e.elastic - slip_ - dashpot_;  // (1)
+    e.numerical = initial_elastic_ - spring_work_ - e.elastic - slip_;  // (3)
+    e.residual = initial_ + wall_work_ - e.kinetic_translation - e.kinetic_rotation -
+                 e.potential - e.elastic - slip_ - dashpot_ - e.numerical;  // (1)
     return e;
 }
 
 void EnergyLedger::save(Archive& archive) const {
-    archive.put("energy", std::vector<double>{initial_, slip_, dashpot_, wall_work_});
+    archive.put("energy", std::vector<double>{initial_, initial_elastic_, slip_, dashpot_,
+                                              spring_work_, wall_work_});
 }
 
 void EnergyLedger::load(const Archive& archive) {
     const auto& sums = archive.get<double>("energy");
     initial_ = sums.at(0);
-    slip_ = sums.at(1);
-    dashpot_ = sums.at(2);
-    wall_work_ = sums.at(3);
+    initial_elastic_ = sums.at(1);
+    slip_ = sums.at(2);
+    dashpot_ = sums.at(3);
+    spring_work_ = sums.at(4);
+    wall_work_ = sums.at(5);
 }
 
 }  // namespace grainbench

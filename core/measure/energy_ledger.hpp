@@ -2,13 +2,16 @@
 ///
 /// Model    kinetic + potential + elastic + slip + dashpot + numerical = initial + wall work  (1)
 ///          work of a force F over a cycle: F . [(v- + v) dt_old + (v + v+) dt_new] / 4       (2)
+///          numerical = -(work of the springs) - elastic - slip                              (3)
 /// Source   (2) is the exact work of a force in the leapfrog with a step that changes; physics
 ///          reference 3.2 for the scheme. The ledger has no other source.
 /// Symbols  v-, v+ velocities at the half steps before and after the force is evaluated, v their
 ///          full-step value [m/s]; dt_old, dt_new steps before and after [s].
 /// Signs    wall work is positive where the walls put energy into the particles.
-/// Limits   `numerical` is what (1) leaves: the energy that the integrator makes or loses, mostly where
-///          contacts open and close within a step. It falls with the square of the step.
+/// Limits   `numerical` is energy that the integrator loses, mostly where contacts open and close
+///          within a step: a spring that acts for a whole step has not been deformed for a whole step.
+///          It falls with the square of the step. `residual`, what (1) leaves, is round-off: each side
+///          is summed on its own, so that a wrong force, lever or wall velocity shows.
 #pragma once
 
 #include <span>
@@ -28,6 +31,7 @@ struct Energies {
     double dissipated_dashpot = 0.0;
     double wall_work = 0.0;
     double numerical = 0.0;
+    double residual = 0.0;
 };
 
 /// What the ledger looks at; all at one instant.
@@ -60,8 +64,10 @@ private:
     void add_work(const LedgerView& view, double lead, double duration);
 
     double initial_ = 0.0;
+    double initial_elastic_ = 0.0;
     double slip_ = 0.0;
     double dashpot_ = 0.0;
+    double spring_work_ = 0.0;
     double wall_work_ = 0.0;
 };
 
