@@ -57,12 +57,20 @@ public:
             work();
         }
         if (failure_) {
-            std::rethrow_exception(failure_);
+            rethrow();
         }
         return costs_;
     }
 
 private:
+    [[noreturn]] void rethrow() const {
+        try {
+            std::rethrow_exception(failure_);
+        } catch (const Error& error) {
+            throw RealisationError(error, failed_, costs_);
+        }
+    }
+
     void work() {
         std::unique_lock lock(mutex_);
         while (!waiting_.empty() && !failure_ && !stop_) {
@@ -97,6 +105,7 @@ private:
         times_[n] = simulation.time();
         if (failure && !failure_) {
             failure_ = failure;
+            failed_ = n;
         }
         report(simulation.timestep());
         return !finished && !failure;
@@ -130,6 +139,7 @@ private:
     double end_time_ = 0.0;
     double particle_steps_ = 0.0;
     std::exception_ptr failure_;
+    std::size_t failed_ = 0;  ///< whose failure it is
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <functional>
 #include <span>
 
+#include "core/error.hpp"
 #include "core/simulation.hpp"
 
 namespace grainbench {
@@ -30,10 +31,29 @@ struct RealisationCost {
     double cpu_seconds = 0.0;
 };
 
+/// An Error of one realisation, which the others survive.
+class RealisationError : public Error {
+public:
+    RealisationError(const Error& error, std::size_t realisation,
+                     std::vector<RealisationCost> costs)
+        : Error(error), realisation_(realisation), costs_(std::move(costs)) {}
+
+    /// Its place in the span, from 0.
+    std::size_t realisation() const { return realisation_; }
+
+    /// Of all realisations until they stopped.
+    const std::vector<RealisationCost>& costs() const { return costs_; }
+
+private:
+    std::size_t realisation_;
+    std::vector<RealisationCost> costs_;
+};
+
 /// Runs until all have finished, or `stop` becomes true at the end of a slice.
 /// \param observers one per simulation; called from the thread that runs it
 /// \param progress called now and then, from one thread at a time; may be empty
-/// \return costs, one per simulation. An Error of any realisation is thrown after the others paused.
+/// \return costs, one per simulation. An Error of any realisation is thrown, as RealisationError, after
+/// the others paused.
 std::vector<RealisationCost> run_ensemble(
     std::span<Simulation> simulations, std::span<Observer* const> observers,
     const EnsembleOptions& options, const std::atomic<bool>& stop,

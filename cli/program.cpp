@@ -1,0 +1,164 @@
+#include "cli/program.hpp"
+
+#include "core/error.hpp"
+
+#include "io/json/problems.hpp"
+
+#include "cli/build_info.hpp"
+#include "cli/exit_codes.hpp"
+#include "cli/run_command.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <functional>
+#include <new>
+
+namespace grainbench::cli {
+namespace {
+
+/// The command line and the command that it asks for. A new command adds one function here, called
+/// in the constructor, and one pair of files.
+class Program {
+public:
+    explicit Program(const Streams& streams)
+        : streams_(streams), app_("Headless workbench for granular flow.", "grainbench") {
+        const BuildInfo build = build_info();
+        app_.set_version_flag("--version",
+                              "grainbench " + build.version + " (" + build.git_hash + ")",
+                              "Print version");
+        app_.require_subcommand(1);
+        app_.footer("Data goes to stdout, talk to stderr. `grainbench COMMAND --help` tells more.");
+        add_run();
+    }
+
+    /// \param arguments in reverse order, as CLI11 wants them
+    int execute(std::vector<std::string> arguments) {
+        try {
+            app_.parse(std::move(arguments));
+        } catch (const CLI::ParseError& error) {
+            if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+                app_.exit(error, streams_.out, streams_.err);
+                return exit_ok;
+            }
+            streams_.err << usage_error(error);
+            return exit_bad_input;
+        }
+        return command_();
+    }
+
+private:
+    void add_run() {
+        CLI::App* sub = app_.add_subcommand("run", "Run a scene into a run folder");
+        sub->add_option("SCENE", run_.scene, "Scene file (JSON)")->required();
+        sub->add_option(
+            "-o,--output", run_.folder, "Run folder; out/<name of the scene> if absent");
+        add_overrides(*sub, run_.overrides);
+        sub->add_option(
+               "--threads", run_.threads, "Realisations side by side; all processors if absent")
+            ->check(CLI::Range(1U, 4096U));
+        sub->add_flag("--resume", run_.resume, "Go on from the checkpoint of the run folder");
+        sub->add_flag("--quiet", run_.quiet, "No talk but errors");
+        sub->add_flag("--json", run_.json, "Print the manifest of the run");
+        sub->add_flag("--history-csv", run_.history_csv, "Write history.csv as well");
+        sub->footer(
+            "Example:\n  grainbench run presets/scenes/bne-quick.json -o out/first"
+            " --set /contact/friction/coefficient=0.3");
+        sub->callback([this] { command_ = [this] { return run_command(run_, streams_); }; });
+    }
+
+    static void add_overrides(CLI::App& sub, std::vector<std::string>& overrides) {
+        sub.add_option("--set", overrides, "Change the scene: /json/pointer=value; may be repeated")
+            ->allow_extra_args(false)
+            ->type_name("POINTER=VALUE");
+    }
+
+    /// The app whose arguments went wrong: the command, if one was named.
+    const CLI::App& app_in_question() const {
+        const auto chosen = app_.get_subcommands();
+        return chosen.empty() ? app_ : *chosen.front();
+    }
+
+    std::string usage_error(const CLI::ParseError& error) const {
+        const CLI::App& app = app_in_question();
+        std::string text = std::string("grainbench: ") + error.what() + "\n";
+        for (const std::string& argument : app_.remaining(true)) {
+            const std::string_view nearest = nearest_argument(app, argument);
+            if (!nearest.empty()) {
+                text +=
+                    "  did you mean " + std::string(nearest) + " instead of " + argument + "?\n";
+            }
+        }
+        const std::string name = &app == &app_ ? "" : " " + app.get_name();
+        return text + "  next step: `grainbench" + name + " --help` lists what there is\n";
+    }
+
+    static std::string_view nearest_argument(const CLI::App& app, const std::string& argument) {
+        static std::vector<std::string> names;
+        names.clear();
+        if (argument.starts_with("-")) {
+            for (const CLI::Option* option : app.get_options()) {
+                for (const std::string& name : option->get_lnames()) {
+                    names.push_back("--" + name);
+                }
+            }
+        } else {
+            for (const CLI::App* sub : app.get_subcommands(nullptr)) {
+                names.push_back(sub->get_name());
+            }
+        }
+        const std::vector<std::string_view> known(names.begin(), names.end());
+        return io::nearest_name(argument.substr(0, argument.find('=')), known);
+    }
+
+    const Streams& streams_;
+    CLI::App app_;
+    std::function<int()> command_;
+    RunArguments run_;
+};
+
+int exit_code_of(ErrorKind kind) {
+    switch (kind) {
+        case ErrorKind::bad_input:
+            return exit_bad_input;
+        case ErrorKind::unstable:
+            return exit_unstable;
+        case ErrorKind::input_output:
+            return exit_input_output;
+    }
+    return exit_internal;
+}
+
+int report_bug(const Streams& streams, const std::string& what) {
+    streams.err << "grainbench: internal error: " << what
+                << "\n  likely cause: a bug of grainbench\n  next step: please report it with the "
+                   "command line, the scene and what `grainbench doctor` prints\n";
+    return exit_internal;
+}
+
+}  // namespace
+
+int run_program(std::vector<std::string> arguments, const Streams& streams) {
+    try {
+        std::reverse(arguments.begin(), arguments.end());
+        const int code = Program(streams).execute(std::move(arguments));
+        streams.out.flush();
+        if (!streams.out) {
+            throw_input_output({.what = "not all of the output could be written",
+                                .where = "stdout",
+                                .likely_cause = "the disk is full or the reader went away",
+                                .next_step = "send the output elsewhere"});
+        }
+        return code;
+    } catch (const Error& error) {
+        streams.err << "grainbench: " << error.what() << "\n";
+        return exit_code_of(error.kind());
+    } catch (const std::bad_alloc&) {
+        return report_bug(streams,
+                          "no memory left; `grainbench check` estimates what a scene needs");
+    } catch (const std::exception& error) {
+        return report_bug(streams, error.what());
+    }
+}
+
+}  // namespace grainbench::cli

@@ -1,0 +1,223 @@
+#include "core/effects.hpp"
+
+#include <algorithm>
+
+namespace grainbench {
+
+namespace {
+
+/// Key of the chosen alternative of a variant.
+template <class Variant>
+std::string key_of(const Variant& variant) {
+    return std::visit([]<class T>(const T&) { return std::string(T::key); }, variant);
+}
+
+std::string at(const std::string& list, std::size_t k) {
+    return list + "/" + std::to_string(k);
+}
+
+class EffectList {
+public:
+    explicit EffectList(const Scene& scene) {
+        if (scene.gravity) {
+            add("gravity", "/gravity");
+        }
+        for (std::size_t w = 0; w < scene.walls.size(); ++w) {
+            add_motion(scene.walls[w].motion, at("/walls", w) + "/motion");
+        }
+        add_contact(scene.contact, "/contact");
+        add(key_of(scene.timestep) + "_timestep", "/timestep");
+        add(key_of(scene.detection.trigger) + "_trigger", "/detection/trigger");
+        if (scene.detection.create_on_overlap) {
+            add("create_on_overlap", "/detection/create_on_overlap");
+        }
+        for (std::size_t s = 0; s < scene.stages.size(); ++s) {
+            add_stage(scene.stages[s], at("/stages", s));
+        }
+        add_measurements(scene);
+    }
+
+    std::vector<Effect> take() && { return std::move(effects_); }
+
+private:
+    void add(std::string name, std::string pointer) {
+        effects_.push_back({std::move(name), std::move(pointer)});
+    }
+
+    void add_motion(const WallMotion& motion, const std::string& pointer) {
+        if (!std::holds_alternative<FixedMotion>(motion)) {
+            add(key_of(motion), pointer);
+        }
+    }
+
+    void add_contact(const Contact& contact, const std::string& pointer) {
+        add(key_of(contact.stiffness), pointer + "/stiffness");
+        add(key_of(contact.normal), pointer + "/normal");
+        if (contact.friction) {
+            add(key_of(*contact.friction), pointer + "/friction");
+        }
+        if (contact.damping) {
+            add(key_of(*contact.damping), pointer + "/damping");
+        }
+    }
+
+    void add_stage(const Stage& stage, const std::string& pointer) {
+        for (std::size_t m = 0; m < stage.motions.size(); ++m) {
+            add_motion(stage.motions[m].motion, at(pointer + "/motions", m) + "/motion");
+        }
+        if (stage.contact) {
+            add_contact(*stage.contact, pointer + "/contact");
+        }
+        if (stage.timestep) {
+            add(key_of(*stage.timestep) + "_timestep", pointer + "/timestep");
+        }
+        if (stage.output && stage.output->contacts) {
+            add("contact_network", pointer + "/output/contacts");
+        }
+    }
+
+    void add_measurements(const Scene& scene) {
+        if (scene.observables.elevation) {
+            add("elevation", "/observables/elevation");
+        }
+        if (scene.observables.energy) {
+            add("energy", "/observables/energy");
+        }
+        if (scene.observables.wall_forces) {
+            add("wall_forces", "/observables/wall_forces");
+        }
+        if (!scene.traces.empty()) {
+            add("traces", "/traces");
+        }
+        if (scene.output.contacts) {
+            add("contact_network", "/output/contacts");
+        }
+    }
+
+    std::vector<Effect> effects_;
+};
+
+bool is_still(const WallMotion& motion) {
+    const auto all_zero = [](const std::vector<double>& values) {
+        return std::all_of(values.begin(), values.end(), [](double v) { return v == 0.0; });
+    };
+    return std::visit(Overloaded{[](const FixedMotion&) { return false; },
+                                 [](const ConstantMotion& m) { return norm(m.velocity) == 0.0; },
+                                 [](const SinusoidMotion& m) { return norm(m.velocity) == 0.0; },
+                                 [](const RotationMotion& m) { return m.rate == 0.0; },
+                                 [&](const TableMotion& m) { return all_zero(m.speeds); },
+                                 [](const SmoothedSquareMotion& m) { return m.amplitude == 0.0; }},
+                      motion);
+}
+
+bool has_shear_stiffness(const StiffnessLaw& law) {
+    return std::visit(
+        Overloaded{[](const ConstantStiffness::Params& p) { return p.shear > 0.0; },
+                   [](const DeformabilityStiffness::Params& p) { return p.ratio > 0.0; }},
+        law);
+}
+
+class IdleList {
+public:
+    explicit IdleList(const Scene& scene) {
+        if (scene.gravity && norm(*scene.gravity) == 0.0) {
+            add("/gravity", "its components are all 0");
+        }
+        for (std::size_t w = 0; w < scene.walls.size(); ++w) {
+            add_motion(scene.walls[w].motion, at("/walls", w) + "/motion");
+        }
+        add_contact(scene.contact, "/contact");
+        double run = 0.0;
+        for (std::size_t s = 0; s < scene.stages.size(); ++s) {
+            const Stage& stage = scene.stages[s];
+            const std::string pointer = at("/stages", s);
+            run += stage.duration;
+            for (std::size_t m = 0; m < stage.motions.size(); ++m) {
+                add_motion(stage.motions[m].motion, at(pointer + "/motions", m) + "/motion");
+            }
+            if (stage.contact) {
+                add_contact(*stage.contact, pointer + "/contact");
+            }
+            if (stage.output) {
+                add_output(*stage.output, pointer + "/output", stage.duration, "stage");
+            }
+        }
+        add_output(scene.output, "/output", run, "run");
+    }
+
+    std::vector<IdleEffect> take() && { return std::move(idle_); }
+
+private:
+    void add(std::string pointer, std::string reason) {
+        idle_.push_back({std::move(pointer), std::move(reason)});
+    }
+
+    void add_motion(const WallMotion& motion, const std::string& pointer) {
+        if (is_still(motion)) {
+            add(pointer, "the wall never moves: its speed is 0");
+        }
+    }
+
+    void add_contact(const Contact& contact, const std::string& pointer) {
+        if (contact.friction) {
+            bool acts = coefficient(*contact.friction) > 0.0;
+            bool sheared = has_shear_stiffness(contact.stiffness);
+            for (const PairContact& pair : contact.pairs) {
+                acts = acts || (pair.friction && coefficient(*pair.friction) > 0.0);
+                sheared = sheared || (pair.stiffness && has_shear_stiffness(*pair.stiffness));
+            }
+            if (!acts) {
+                add(pointer + "/friction", "the coefficient is 0");
+            } else if (!sheared) {
+                add(pointer + "/friction", "there is no shear stiffness for it to limit");
+            }
+        }
+        if (contact.damping) {
+            bool acts = damps(*contact.damping);
+            for (const PairContact& pair : contact.pairs) {
+                acts = acts || (pair.damping && damps(*pair.damping));
+            }
+            if (!acts) {
+                add(pointer + "/damping", "both damping ratios are 0");
+            }
+        }
+    }
+
+    static double coefficient(const FrictionLaw& law) {
+        return std::get<CoulombFriction::Params>(law).coefficient;
+    }
+
+    static bool damps(const DampingLaw& law) {
+        const auto& dashpots = std::get<ViscousDamping::Params>(law);
+        return dashpots.normal > 0.0 || dashpots.shear > 0.0;
+    }
+
+    void add_output(const Output& output,
+                    const std::string& pointer,
+                    double length,
+                    const std::string& of) {
+        const auto check = [&](const std::optional<double>& interval, const char* name) {
+            if (interval && *interval > length) {
+                add(pointer + "/" + name, "the interval is longer than the " + of);
+            }
+        };
+        check(output.frame_interval, "frame_interval");
+        check(output.history_interval, "history_interval");
+        check(output.trace_interval, "trace_interval");
+        check(output.checkpoint_interval, "checkpoint_interval");
+    }
+
+    std::vector<IdleEffect> idle_;
+};
+
+}  // namespace
+
+std::vector<Effect> effects_of(const Scene& scene) {
+    return EffectList(scene).take();
+}
+
+std::vector<IdleEffect> idle_effects(const Scene& scene) {
+    return IdleList(scene).take();
+}
+
+}  // namespace grainbench

@@ -1,0 +1,28 @@
+/// Which effects a scene turns on and where it says so, and which of them cannot act. A scene costs
+/// only what is listed here.
+#pragma once
+
+#include "core/scene.hpp"
+
+#include <string>
+#include <vector>
+
+namespace grainbench {
+
+struct Effect {
+    std::string name;     ///< key of the law, motion or scheme
+    std::string pointer;  ///< place in the scene, as a JSON pointer
+};
+
+/// In the order of the scene; an effect named in several places is listed for each.
+std::vector<Effect> effects_of(const Scene& scene);
+
+/// An effect that is on but changes nothing.
+struct IdleEffect {
+    std::string pointer;
+    std::string reason;
+};
+
+std::vector<IdleEffect> idle_effects(const Scene& scene);
+
+}  // namespace grainbench
