@@ -83,6 +83,17 @@ ContactTable::ContactTable(const Contact& contact, const Materials& materials)
         resolve_pair(contact, &pair, a, b);
         resolve_pair(contact, &pair, b, a);
     }
+    for (const double beta : damping_) {
+        const double root = std::sqrt(1.0 + beta * beta) - beta;
+        step_factor_.push_back(1.0 / (root * root));
+    }
+    if (std::holds_alternative<ConstantStiffness::Params>(contact.stiffness)) {
+        for (Index a = 0; a < materials_; ++a) {
+            for (Index b = 0; b < materials_; ++b) {
+                constant_.push_back(stiffness(a, b, 1.0, 1.0));
+            }
+        }
+    }
 }
 
 void ContactTable::put(Index a, Index b, int value, double x) {
@@ -162,7 +173,7 @@ ContactStiffness ContactTable::stiffness(Index material_i, Index material_j, dou
     } else {
         evaluate(DeformabilityStiffness{});
     }
-    return {load.stiffness_n, load.stiffness_s, damping_[2 * pair], damping_[2 * pair + 1]};
+    return {load.stiffness_n, load.stiffness_s};
 }
 
 }  // namespace grainbench

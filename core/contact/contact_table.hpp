@@ -28,12 +28,17 @@ private:
     std::vector<std::string> names_;
 };
 
-/// What the stable step of a contact depends on.
+/// Stiffness of one contact [N/m].
 struct ContactStiffness {
-    double normal;           ///< [N/m]
-    double shear;            ///< [N/m]
-    double normal_damping;   ///< [1] ratio beta_n
-    double shear_damping;    ///< [1]
+    double normal;
+    double shear;
+};
+
+/// The same corrected for the dashpots, whose velocity lags half a step:
+/// K = k / (sqrt(1 + beta^2) - beta)^2 (physics reference 2.2).
+struct StepStiffness {
+    double normal;
+    double shear;
 };
 
 class ContactTable {
@@ -55,6 +60,21 @@ public:
     ContactStiffness stiffness(Index material_i, Index material_j, double radius_i,
                                double radius_j) const;
 
+    StepStiffness step_stiffness(Index material_i, Index material_j, double radius_i,
+                                 double radius_j) const {
+        const std::size_t pair = static_cast<std::size_t>(material_i) * materials_ + material_j;
+        const ContactStiffness k = constant_.empty()
+                                       ? stiffness(material_i, material_j, radius_i, radius_j)
+                                       : constant_[pair];
+        return {k.normal * step_factor_[2 * pair], k.shear * step_factor_[2 * pair + 1]};
+    }
+
+    /// Damping ratios of a pair of materials, normal and shear [1].
+    std::pair<double, double> damping(Index material_i, Index material_j) const {
+        const std::size_t pair = static_cast<std::size_t>(material_i) * materials_ + material_j;
+        return {damping_[2 * pair], damping_[2 * pair + 1]};
+    }
+
     /// For each column of the history of `next`, the column of `before` that holds the same quantity, or
     /// -1: laws that stay on keep their history when a stage changes the laws.
     friend std::vector<int> history_sources(const ContactTable& before, const ContactTable& next);
@@ -67,7 +87,9 @@ private:
     int history_size_ = 0;
     Index materials_ = 0;
     std::vector<double> values_;
-    std::vector<double> damping_;  ///< two per pair: beta_n, beta_s
+    std::vector<double> damping_;      ///< two per pair: beta_n, beta_s
+    std::vector<double> step_factor_;  ///< two per pair: K / k
+    std::vector<ContactStiffness> constant_;  ///< by pair, where it does not depend on radii
 };
 
 std::vector<int> history_sources(const ContactTable& before, const ContactTable& next);

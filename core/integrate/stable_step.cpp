@@ -5,48 +5,48 @@
 
 namespace grainbench {
 
-namespace {
-
-/// (3) of the header.
-double corrected(double stiffness, double damping) {
-    const double factor = std::sqrt(1.0 + damping * damping) - damping;
-    return stiffness / (factor * factor);
-}
-
-}  // namespace
-
-StableStep::StableStep(Index particle_count) : sums_(6 * static_cast<std::size_t>(particle_count)) {}
+StableStep::StableStep(Index particle_count)
+    : sums_(6 * static_cast<std::size_t>(particle_count)), listed_(particle_count, 0) {}
 
 void StableStep::clear() {
-    std::fill(sums_.begin(), sums_.end(), 0.0);
+    for (const Index slot : list_) {
+        std::fill_n(sums_.begin() + 6 * static_cast<std::ptrdiff_t>(slot), 6, 0.0);
+        listed_[slot] = 0;
+    }
+    list_.clear();
 }
 
-void StableStep::add(Index slot, const Vec3& normal, double lever,
-                     const ContactStiffness& stiffness) {
-    const double k_n = corrected(stiffness.normal, stiffness.normal_damping);
-    const double k_s = corrected(stiffness.shear, stiffness.shear_damping);
-    const double squares[3] = {normal.x * normal.x, normal.y * normal.y, normal.z * normal.z};
+void StableStep::add(Index slot, const double (&normal_squares)[3], double lever,
+                     const StepStiffness& stiffness) {
+    if (listed_[slot] == 0) {
+        listed_[slot] = 1;
+        list_.push_back(slot);
+    }
     double* sum = sums_.data() + 6 * static_cast<std::size_t>(slot);
     for (int axis = 0; axis < 3; ++axis) {
-        sum[axis] += k_n * squares[axis] + k_s * (1.0 - squares[axis]);  // (2)
-        sum[3 + axis] += k_s * lever * lever * (1.0 - squares[axis]);
+        const double rest = 1.0 - normal_squares[axis];
+        sum[axis] += stiffness.normal * normal_squares[axis] + stiffness.shear * rest;  // (2)
+        sum[3 + axis] += stiffness.shear * lever * lever * rest;
     }
 }
 
 void StableStep::add_pair(const ParticleState& particles, const ContactTable& table, Index i,
                           Index j) {
     const Vec3 apart = particles.position(j) - particles.position(i);
-    const Vec3 normal = normalized(apart);
-    const ContactStiffness stiffness = table.stiffness(
+    const double square = dot(apart, apart);
+    const double inverse = square > 0.0 ? 1.0 / square : 0.0;
+    const double squares[3] = {apart.x * apart.x * inverse, apart.y * apart.y * inverse,
+                               apart.z * apart.z * inverse};
+    const StepStiffness stiffness = table.step_stiffness(
         particles.species(i), particles.species(j), particles.radius(i), particles.radius(j));
-    add(i, normal, particles.radius(i), stiffness);
-    add(j, normal, particles.radius(j), stiffness);
+    add(i, squares, particles.radius(i), stiffness);
+    add(j, squares, particles.radius(j), stiffness);
 }
 
 void StableStep::add_wall(const ParticleState& particles, const ContactTable& table, Index i,
                           Index wall_material, const Vec3& normal) {
-    add(i, normal, particles.radius(i),
-        table.stiffness(particles.species(i), wall_material, particles.radius(i), 0.0));
+    add(i, {normal.x * normal.x, normal.y * normal.y, normal.z * normal.z}, particles.radius(i),
+        table.step_stiffness(particles.species(i), wall_material, particles.radius(i), 0.0));
 }
 
 double StableStep::limit_of(const ParticleState& particles, Index slot) const {
@@ -59,16 +59,11 @@ double StableStep::limit_of(const ParticleState& particles, Index slot) const {
 }
 
 double StableStep::limit(const ParticleState& particles) const {
-    double largest = 0.0;
-    for (Index slot = 0; slot < particles.size(); ++slot) {
-        const double* sum = sums_.data() + 6 * static_cast<std::size_t>(slot);
-        const double translation =
-            std::max({sum[0], sum[1], sum[2]}) * particles.inverse_mass(slot);
-        const double rotation =
-            std::max({sum[3], sum[4], sum[5]}) * particles.inverse_inertia(slot);
-        largest = std::max({largest, translation, rotation});
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const Index slot : list_) {
+        smallest = std::min(smallest, limit_of(particles, slot));
     }
-    return largest > 0.0 ? 1.0 / std::sqrt(largest) : std::numeric_limits<double>::infinity();
+    return smallest;
 }
 
 double StableStep::single_contact_limit(const ParticleState& particles, const ContactTable& table,
@@ -77,10 +72,10 @@ double StableStep::single_contact_limit(const ParticleState& particles, const Co
     double smallest = std::numeric_limits<double>::infinity();
     for (Index slot = 0; slot < particles.size(); ++slot) {
         for (Index material = 0; material < material_count; ++material) {
-            const ContactStiffness s = table.stiffness(particles.species(slot), material,
-                                                       particles.radius(slot), 0.0);
             one.clear();
-            one.add(0, {0.0, 0.0, 1.0}, particles.radius(slot), s);
+            one.add(0, {0.0, 0.0, 1.0}, particles.radius(slot),
+                    table.step_stiffness(particles.species(slot), material,
+                                         particles.radius(slot), 0.0));
             const double translation = one.sums_[2] * particles.inverse_mass(slot);
             const double rotation = one.sums_[3] * particles.inverse_inertia(slot);
             smallest = std::min(smallest, 1.0 / std::sqrt(std::max(translation, rotation)));

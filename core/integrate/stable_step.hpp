@@ -3,7 +3,7 @@
 ///
 /// Model    dt_i = min over axes of sqrt(m / k_i), sqrt(I / kappa_i)                        (1)
 ///          k_i = sum K_n n_i^2 + K_s (1 - n_i^2);  kappa_i = sum K_s R^2 (1 - n_i^2)       (2)
-///          K = k / (sqrt(1 + beta^2) - beta)^2                                             (3)
+///          K = k / (sqrt(1 + beta^2) - beta)^2          (3), in ContactTable::step_stiffness
 /// Source   PFC documentation, timestep determination; Belytschko 1983 for (3)
 ///          (physics reference 2.2). Departs from it in the normals, which are those of the last
 ///          change of the contact list, not of every cycle.
@@ -24,7 +24,7 @@ public:
     StableStep() = default;
     explicit StableStep(Index particle_count);
 
-    /// Starts a new sum; then add every contact object; then finish.
+    /// Starts a new sum; then add every contact that counts. Costs nothing for particles without.
     void clear();
     void add_pair(const ParticleState& particles, const ContactTable& table, Index i, Index j);
     void add_wall(const ParticleState& particles, const ContactTable& table, Index i,
@@ -42,9 +42,12 @@ public:
                                        Index material_count);
 
 private:
-    void add(Index slot, const Vec3& normal, double lever, const ContactStiffness& stiffness);
+    void add(Index slot, const double (&normal_squares)[3], double lever,
+             const StepStiffness& stiffness);
 
     Column<double> sums_;  ///< six per particle: k_x, k_y, k_z, kappa_x, kappa_y, kappa_z
+    std::vector<std::uint8_t> listed_;  ///< by particle: has a contact that counts
+    std::vector<Index> list_;           ///< those particles
 };
 
 /// Largest dt for which no particle moves by more than its tolerance along an axis [s]:
