@@ -4,33 +4,10 @@
 
 #include "io/atomic_file.hpp"
 #include "io/hdf5/handle.hpp"
-#include "io/text.hpp"
-
-#include <new>
+#include "io/hdf5/seal.hpp"
 
 namespace grainbench::io {
 namespace {
-
-// HDF5 allows 512 bytes (or twice, four times that ...) of anything in front of its data.
-constexpr std::size_t seal_size = 512;
-
-std::string seal_of(std::string_view bytes) {
-    std::string seal = std::string(checkpoint_format) + "\nfnv1a " + to_hex(fnv1a(bytes)) + "\n";
-    seal.resize(seal_size, '\0');
-    return seal;
-}
-
-/// Takes the seal off; throws if it does not fit the bytes behind it.
-std::string unsealed(const std::string& bytes) {
-    if (bytes.compare(0, std::string_view(checkpoint_format).size(), checkpoint_format) != 0) {
-        throw Hdf5Failure("it is not a checkpoint of this version of grainbench");
-    }
-    std::string content = bytes.size() > seal_size ? bytes.substr(seal_size) : "";
-    if (bytes.compare(0, seal_size, seal_of(content)) != 0) {
-        throw Hdf5Failure("its bytes differ from those that were written");
-    }
-    return content;
-}
 
 std::string group_name(std::size_t realisation) {
     return "realisation-" + std::to_string(realisation + 1);
@@ -86,7 +63,7 @@ std::string encode(const Checkpoint& checkpoint) {
 
 Checkpoint decode(const std::filesystem::path& path) {
     try {
-        std::string content = unsealed(read_file(path));
+        std::string content = unsealed(checkpoint_format, read_file(path));
         const Hdf5Session session;
         const Handle file = open_file_image(content);
         Checkpoint checkpoint;
@@ -160,8 +137,7 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& check
              .likely_cause = "not enough memory",
              .next_step = "run fewer realisations at a time"});
     }
-    bytes.insert(0, seal_of(bytes));
-    write_file(path, bytes, previous_checkpoint(path));
+    write_file(path, sealed(checkpoint_format, bytes), previous_checkpoint(path));
 }
 
 std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& path,

@@ -4,9 +4,8 @@
 
 #include "io/atomic_file.hpp"
 #include "io/hdf5/handle.hpp"
+#include "io/hdf5/seal.hpp"
 #include "io/text.hpp"
-
-#include <new>
 
 namespace grainbench::io {
 namespace {
@@ -98,9 +97,6 @@ History decode(std::string bytes) {
     const Hdf5Session session;
     const Handle file = open_file_image(bytes);
     History history;
-    if (text_attribute(file, "format") != history_format) {
-        throw Hdf5Failure("cannot understand the format '" + text_attribute(file, "format") + "'");
-    }
     history.program = text_attribute(file, "program");
     history.scene = text_attribute(file, "scene");
     history.scene_hash = text_attribute(file, "scene_hash");
@@ -122,21 +118,16 @@ void write_history(const std::filesystem::path& path, const History& history) {
                             .likely_cause = "not enough memory, or two columns of the same name",
                             .next_step = "record fewer rows, or give the observables other names"});
     }
-    write_file(path, bytes);
+    write_file(path, sealed(history_format, bytes));
 }
 
 History read_history(const std::filesystem::path& path) {
     try {
-        return decode(read_file(path));
+        return decode(unsealed(history_format, read_file(path)));
     } catch (const Hdf5Failure& failure) {
         throw_input_output({.what = "cannot read a history: " + std::string(failure.what()),
                             .where = path.string(),
                             .likely_cause = "the file is damaged, or another program wrote it",
-                            .next_step = "run the scene again to write it anew"});
-    } catch (const std::bad_alloc&) {
-        throw_input_output({.what = "cannot read a history: it asks for too much memory",
-                            .where = path.string(),
-                            .likely_cause = "the file is damaged",
                             .next_step = "run the scene again to write it anew"});
     }
 }

@@ -87,10 +87,13 @@ TEST(HistoryFile, DamagedOneIsAnErrorThatNamesItAndPrintsNothing) {
     const TemporaryFolder folder;
     write_history(folder / "history.h5", some_history());
     const std::string whole = read_file(folder / "history.h5");
+    std::string flipped = whole;
+    flipped[flipped.size() / 2] = static_cast<char>(flipped[flipped.size() / 2] ^ 1);
     testing::internal::CaptureStderr();
     for (const std::string& bytes : {std::string(),
                                      std::string("garbage"),
                                      whole.substr(0, 300),
+                                     flipped,
                                      whole.substr(0, whole.size() / 2)}) {
         write_file(folder / "history.h5", bytes);
         EXPECT_THAT(
