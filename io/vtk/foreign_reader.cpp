@@ -38,12 +38,10 @@ template <class Reader>
 vtkPolyData* load_foreign(Reader* reader,
                           const std::filesystem::path& path,
                           const VtkSession& session) {
+    read_file(path);  // a file that cannot be read at all is a matter of the disk
     try {
         return load(reader, path, session);
     } catch (const Error& failure) {
-        if (!file_exists(path)) {
-            throw;
-        }
         throw_unusable(path, failure.diagnosis().what);
     }
 }

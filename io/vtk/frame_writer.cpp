@@ -6,6 +6,7 @@
 #include "io/vtk/arrays.hpp"
 #include "io/vtk/load.hpp"
 #include "io/vtk/session.hpp"
+#include "io/vtk/xml_seal.hpp"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -44,7 +45,9 @@ std::string encode(vtkDataObject* data,
                             .likely_cause = "not enough memory",
                             .next_step = "write fewer particles or use a larger machine"});
     }
-    return writer->GetOutputString();
+    std::string bytes = writer->GetOutputString();
+    seal_xml(bytes);
+    return bytes;
 }
 
 void put_provenance(vtkFieldData* fields, const Provenance& provenance) {

@@ -5,9 +5,10 @@
 
 #include "io/atomic_file.hpp"
 #include "io/vtk/session.hpp"
+#include "io/vtk/xml_seal.hpp"
 
+#include <exception>
 #include <filesystem>
-#include <new>
 #include <string>
 
 namespace grainbench::io {
@@ -23,17 +24,15 @@ namespace grainbench::io {
 /// Output of a VTK reader; it belongs to the reader.
 template <class Reader>
 auto* load(Reader* reader, const std::filesystem::path& path, const VtkSession& session) {
-    if (!file_exists(path)) {
-        throw_input_output({.what = "cannot read a VTK file: it does not exist",
-                            .where = path.string(),
-                            .likely_cause = "a part of the path is misspelt",
-                            .next_step = "check the path"});
+    // Read here first: VTK does not tell a missing file from a damaged one.
+    if (!seal_fits(read_file(path))) {
+        throw_damaged(path, "its bytes differ from those that were written");
     }
     try {
         reader->SetFileName(path.c_str());
         reader->Update();
-    } catch (const std::bad_alloc&) {
-        throw_damaged(path, "it asks for more memory than there is");
+    } catch (const std::exception& failure) {  // bad_alloc, length_error: sizes out of reason
+        throw_damaged(path, failure.what());
     }
     if (!session.error().empty() || reader->GetErrorCode() != 0) {
         throw_damaged(path, session.error().empty() ? "VTK gives no reason" : session.error());

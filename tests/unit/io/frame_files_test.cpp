@@ -200,9 +200,23 @@ TEST(ParticleFile, DamagedOneIsAnErrorThatNamesItAndPrintsNothing) {
     EXPECT_THAT(error_of([&] { read_particles_frame(folder / "w.vtp"); }),
                 HasSubstr((folder / "w.vtp").string()));
     EXPECT_THAT(error_of([&] { read_particles_frame(folder / "absent.vtu"); }),
-                HasSubstr("does not exist"));
+                HasSubstr("No such file"));
     EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(ParticleFile, OneFlippedBitIsFound) {
+    const TemporaryFolder folder;
+    write_particles(folder / "p.vtu", some_particles(5), some_provenance());
+    const std::string whole = read_file(folder / "p.vtu");
+    for (std::size_t place = 0; place < whole.size(); place += 101) {
+        std::string bytes = whole;
+        bytes[place] = static_cast<char>(bytes[place] ^ 1);
+        write_file(folder / "p.vtu", bytes);
+        EXPECT_THAT(error_of([&] { read_particles_frame(folder / "p.vtu"); }),
+                    AllOf(StartsWith("input/output: "), HasSubstr("p.vtu")))
+            << "at " << place;
+    }
 }
 
 TEST(WallFile, ReadsBackTheSame) {
