@@ -2,20 +2,22 @@
 /// (io/hdf5/checkpoint.hpp). Every bit that steers the next step goes through here.
 #pragma once
 
+#include "core/error.hpp"
+
 #include <cstdint>
 #include <map>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "core/error.hpp"
-
 namespace grainbench {
 
 class Archive {
 public:
-    using Column = std::variant<std::vector<double>, std::vector<std::uint32_t>,
-                                std::vector<std::uint64_t>, std::vector<std::uint8_t>>;
+    using Column = std::variant<std::vector<double>,
+                                std::vector<std::uint32_t>,
+                                std::vector<std::uint64_t>,
+                                std::vector<std::uint8_t>>;
 
     template <class T>
     void put(const std::string& name, std::vector<T> values) {

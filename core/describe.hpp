@@ -12,8 +12,9 @@
 ///         }
 ///     };
 ///
-/// Members may be bool, double, integers, std::string, Vec3, described enums, described structs, and
-/// std::optional, std::vector or std::variant of these. The name of a field is the name of the member.
+/// Members may be bool, double, integers, std::string, Vec3, described enums, described structs,
+/// and std::optional, std::vector or std::variant of these. The name of a field is the name of the
+/// member.
 #pragma once
 
 #include <array>
@@ -66,25 +67,34 @@ struct Field {
 
 /// A member that keeps its default (its initialiser in the struct) when the key is absent.
 template <class Owner, class Member>
-constexpr Field<Owner, Member> field(Member Owner::*member, std::string_view name,
-                                     std::string_view unit, Domain domain, std::string_view doc) {
+constexpr Field<Owner, Member> field(Member Owner::*member,
+                                     std::string_view name,
+                                     std::string_view unit,
+                                     Domain domain,
+                                     std::string_view doc) {
     return {member, name, unit, domain, false, doc};
 }
 
 /// A member whose key must be present.
 template <class Owner, class Member>
-constexpr Field<Owner, Member> required(Member Owner::*member, std::string_view name,
-                                        std::string_view unit, Domain domain,
+constexpr Field<Owner, Member> required(Member Owner::*member,
+                                        std::string_view name,
+                                        std::string_view unit,
+                                        Domain domain,
                                         std::string_view doc) {
     return {member, name, unit, domain, true, doc};
 }
 
 template <class T>
-concept Described = requires { T::fields(); };
+concept Described = requires {
+    T::fields();
+};
 
 /// An alternative of a variant: chosen by its key.
 template <class T>
-concept Keyed = Described<T> && requires { std::string_view{T::key}; };
+concept Keyed = Described<T> && requires {
+    std::string_view{T::key};
+};
 
 /// Name of the JSON member that holds the key of a variant's alternative: "type", or what the first
 /// alternative says (contact laws say "law").
@@ -97,12 +107,15 @@ constexpr std::string_view discriminator_of() {
     }
 }
 
-/// Described enums specialise this: static constexpr std::array<std::pair<E, std::string_view>, N> value.
+/// Described enums specialise this: static constexpr std::array<std::pair<E, std::string_view>, N>
+/// value.
 template <class E>
 struct EnumNames;
 
 template <class E>
-concept DescribedEnum = requires { EnumNames<E>::value; };
+concept DescribedEnum = requires {
+    EnumNames<E>::value;
+};
 
 template <DescribedEnum E>
 constexpr std::string_view name_of(E e) {

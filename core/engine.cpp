@@ -15,11 +15,13 @@ std::vector<double> densities(const Scene& scene) {
     return density;
 }
 
-/// Travel that candidate lists allow: a quarter of the smallest radius, from a scan of the shaken bed
-/// of the example (share/doc/performance.md): longer lists cost more per renewal, shorter ones age.
+/// Travel that candidate lists allow: a quarter of the smallest radius, from a scan of the shaken
+/// bed of the example (share/doc/performance.md): longer lists cost more per renewal, shorter ones
+/// age.
 constexpr double slack_per_radius = 0.25;
 
-SearchSettings search_settings(const Detection& detection, double smallest_radius,
+SearchSettings search_settings(const Detection& detection,
+                               double smallest_radius,
                                bool brute_force) {
     SearchSettings settings{.tolerance = detection.tolerance,
                             .slack = slack_per_radius * smallest_radius,
@@ -40,7 +42,8 @@ void fill_packets(double (&packets)[8], const Vec3& v) {
 std::vector<WallBody> build_walls(const Scene& scene, const Materials& materials) {
     std::vector<WallBody> walls;
     for (std::size_t w = 0; w < scene.walls.size(); ++w) {
-        walls.emplace_back(scene.walls[w], "/walls/" + std::to_string(w),
+        walls.emplace_back(scene.walls[w],
+                           "/walls/" + std::to_string(w),
                            materials.index_of(scene.walls[w].material_name()));
     }
     return walls;
@@ -104,8 +107,7 @@ void Engine::begin_stage(const Stage& stage) {
     }
     // Where inertia is scaled, gravity must pull at the real mass: it joins the forces.
     gravity_ = std::holds_alternative<ScaledTimestep>(scheme_) ? Vec3{} : scene_gravity_;
-    single_contact_ =
-        StableStep::single_contact_limit(particles_, table_, materials_.count());
+    single_contact_ = StableStep::single_contact_limit(particles_, table_, materials_.count());
     if (!started_) {
         started_ = true;
         for (WallBody& wall : walls_) {
@@ -148,8 +150,9 @@ double Engine::choose_timestep() const {
     if (timestep_ > 0.0) {
         timestep = std::min(timestep, automatic.growth * timestep_);
     }
-    // A particle in free flight must meet its first contact at a step that this contact can bear. Only
-    // contacts created on overlap come unannounced: there the step grows until something touches.
+    // A particle in free flight must meet its first contact at a step that this contact can bear.
+    // Only contacts created on overlap come unannounced: there the step grows until something
+    // touches.
     if (!detection_.create_on_overlap || timestep_ == 0.0) {
         timestep = std::min(timestep, automatic.safety_factor * single_contact_);
     }
@@ -200,13 +203,12 @@ void Engine::move(double timestep) {
 void Engine::find_contacts() {
     Renewal renewal = pairs_.update(cycle_, particles_, bed_shift_, *kernels_);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
-        renewal = std::max(renewal,
-                           wall_contacts_[w].update(cycle_, particles_, walls_[w], *kernels_));
+        renewal =
+            std::max(renewal, wall_contacts_[w].update(cycle_, particles_, walls_[w], *kernels_));
     }
     bool changed = pairs_.find_touching(particles_, *kernels_);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
-        changed =
-            wall_contacts_[w].find_touching(particles_, walls_[w], *kernels_) || changed;
+        changed = wall_contacts_[w].find_touching(particles_, walls_[w], *kernels_) || changed;
     }
     if (detection_.create_on_overlap ? changed : renewal != Renewal::none) {
         update_stable_step();
@@ -233,13 +235,16 @@ void Engine::update_stable_step() {
         const WallContacts& contacts = wall_contacts_[w];
         if (detection_.create_on_overlap) {
             for (Index t = 0; t < contacts.touching_count(); ++t) {
-                sums_.add_wall(particles_, table_, contacts.particle(t), walls_[w].material(),
+                sums_.add_wall(particles_,
+                               table_,
+                               contacts.particle(t),
+                               walls_[w].material(),
                                contacts.normal(t));
             }
         } else {
             for (const WallObject& object : contacts.soon()) {
-                sums_.add_wall(particles_, table_, object.particle, walls_[w].material(),
-                               object.normal);
+                sums_.add_wall(
+                    particles_, table_, object.particle, walls_[w].material(), object.normal);
             }
         }
     }
@@ -267,8 +272,8 @@ void Engine::add_forces(double timestep) {
     }
     pairs_.add_forces(particles_, table_, timestep, keep_records_, *kernels_);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
-        wall_contacts_[w].add_forces(particles_, walls_[w], table_, timestep, keep_records_,
-                                     *kernels_);
+        wall_contacts_[w].add_forces(
+            particles_, walls_[w], table_, timestep, keep_records_, *kernels_);
     }
 }
 
@@ -343,22 +348,32 @@ void Engine::throw_not_finite() const {
             break;
         }
     }
-    throw Error(ErrorKind::unstable,
-                {.what = who + " has a velocity or position that is not a finite number",
-                 .where = "cycle " + std::to_string(cycle_) + ", time " + std::to_string(time_) +
-                          " s, timestep " + std::to_string(timestep_) + " s",
-                 .likely_cause = "the timestep is above the stable one, or particles started with a "
-                                 "large overlap",
-                 .next_step = "lower the timestep or its safety factor; `grainbench check` prints "
-                              "the stable step"});
+    throw Error(
+        ErrorKind::unstable,
+        {.what = who + " has a velocity or position that is not a finite number",
+         .where = "cycle " + std::to_string(cycle_) + ", time " + std::to_string(time_) +
+                  " s, timestep " + std::to_string(timestep_) + " s",
+         .likely_cause = "the timestep is above the stable one, or particles started with a "
+                         "large overlap",
+         .next_step = "lower the timestep or its safety factor; `grainbench check` prints "
+                      "the stable step"});
 }
 
 void Engine::save(Archive& archive) const {
     archive.put("engine/cycle", cycle_);
     archive.put("engine/numbers",
-                std::vector<double>{time_, timestep_, stable_, bed_velocity_.x, bed_velocity_.y,
-                                    bed_velocity_.z, bed_shift_.x, bed_shift_.y, bed_shift_.z,
-                                    fastest_.x, fastest_.y, fastest_.z});
+                std::vector<double>{time_,
+                                    timestep_,
+                                    stable_,
+                                    bed_velocity_.x,
+                                    bed_velocity_.y,
+                                    bed_velocity_.z,
+                                    bed_shift_.x,
+                                    bed_shift_.y,
+                                    bed_shift_.z,
+                                    fastest_.x,
+                                    fastest_.y,
+                                    fastest_.z});
     particles_.save(archive);
     pairs_.save(archive);
     for (std::size_t w = 0; w < walls_.size(); ++w) {

@@ -2,15 +2,15 @@
 /// share/doc/notation.md. It knows nothing of output or stages beyond their physics.
 #pragma once
 
-#include <memory>
-#include <vector>
-
 #include "core/contact/contact_table.hpp"
 #include "core/contact/pair_contacts.hpp"
 #include "core/contact/wall_contacts.hpp"
 #include "core/integrate/stable_step.hpp"
 #include "core/measure/energy_ledger.hpp"
 #include "core/simulation.hpp"
+
+#include <memory>
+#include <vector>
 
 namespace grainbench {
 
@@ -79,6 +79,7 @@ private:
     void add_forces(double timestep);
     void update_stable_step();
     void scale_inertia(double step, double safety_factor);
+
     bool needs_stable_step() const { return !std::holds_alternative<FixedTimestep>(scheme_); }
 
     [[noreturn]] void throw_not_finite() const;
@@ -103,12 +104,12 @@ private:
     bool started_ = false;
     std::uint64_t cycle_ = 0;
     double time_ = 0.0;
-    double timestep_ = 0.0;          ///< of the last cycle; 0 before the first
-    double stable_ = 0.0;            ///< limit of the present contact objects
-    double single_contact_ = 0.0;    ///< limit of one lone contact
-    Vec3 bed_velocity_{};            ///< mean velocity in the last cycle: the bed's frame
-    Vec3 bed_shift_{};               ///< displacement of that frame
-    Vec3 fastest_{};                 ///< largest speed per axis relative to it
+    double timestep_ = 0.0;        ///< of the last cycle; 0 before the first
+    double stable_ = 0.0;          ///< limit of the present contact objects
+    double single_contact_ = 0.0;  ///< limit of one lone contact
+    Vec3 bed_velocity_{};          ///< mean velocity in the last cycle: the bed's frame
+    Vec3 bed_shift_{};             ///< displacement of that frame
+    Vec3 fastest_{};               ///< largest speed per axis relative to it
 };
 
 }  // namespace grainbench

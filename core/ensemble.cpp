@@ -27,8 +27,10 @@ double thread_cpu_seconds() {
 /// The queue of realisations that wait for a thread.
 class Runner {
 public:
-    Runner(std::span<Simulation> simulations, std::span<Observer* const> observers,
-           const EnsembleOptions& options, const std::atomic<bool>& stop,
+    Runner(std::span<Simulation> simulations,
+           std::span<Observer* const> observers,
+           const EnsembleOptions& options,
+           const std::atomic<bool>& stop,
            const std::function<void(const EnsembleProgress&)>& progress)
         : simulations_(simulations),
           observers_(observers),
@@ -145,8 +147,10 @@ private:
 }  // namespace
 
 std::vector<RealisationCost> run_ensemble(
-    std::span<Simulation> simulations, std::span<Observer* const> observers,
-    const EnsembleOptions& options, const std::atomic<bool>& stop,
+    std::span<Simulation> simulations,
+    std::span<Observer* const> observers,
+    const EnsembleOptions& options,
+    const std::atomic<bool>& stop,
     const std::function<void(const EnsembleProgress&)>& progress) {
     return Runner(simulations, observers, options, stop, progress).run();
 }

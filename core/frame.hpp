@@ -1,22 +1,22 @@
-/// Snapshots that leave the core: particles, walls and contacts at one instant, in view order (sorted
-/// by id), and the columns of the history. io writes them, render reads what io wrote.
+/// Snapshots that leave the core: particles, walls and contacts at one instant, in view order
+/// (sorted by id), and the columns of the history. io writes them, render reads what io wrote.
 #pragma once
+
+#include "core/types.hpp"
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "core/types.hpp"
-
 namespace grainbench {
 
 /// Particles sorted by id; all columns have the same length.
 struct ParticleFrame {
-    double time = 0.0;        ///< [s]
+    double time = 0.0;  ///< [s]
     std::uint64_t cycle = 0;
-    std::vector<std::int64_t> id;  ///< from 1, in order of insertion
-    std::vector<Vec3> position;    ///< [m]
-    std::vector<double> radius;    ///< [m]
+    std::vector<std::int64_t> id;             ///< from 1, in order of insertion
+    std::vector<Vec3> position;               ///< [m]
+    std::vector<double> radius;               ///< [m]
     std::vector<std::int32_t> species;        ///< index into Scene::particles.species
     std::vector<std::int32_t> group;          ///< 1 + index of the first group that holds it, or 0
     std::vector<std::int32_t> layer;          ///< fixed layer, 0 if none
@@ -32,10 +32,10 @@ struct ParticleFrame {
 /// Surface of one wall, as polygons in space.
 struct WallSurface {
     std::string name;
-    std::vector<Vec3> points;                   ///< [m]
-    std::vector<std::vector<Index>> polygons;   ///< indices into points, right-handed outward
-    Vec3 velocity{};                            ///< [m/s]
-    Vec3 force{};                               ///< [N] of the particles on the wall
+    std::vector<Vec3> points;                  ///< [m]
+    std::vector<std::vector<Index>> polygons;  ///< indices into points, right-handed outward
+    Vec3 velocity{};                           ///< [m/s]
+    Vec3 force{};                              ///< [N] of the particles on the wall
 };
 
 struct WallFrame {

@@ -2,12 +2,6 @@
 /// pointers, no JSON, no behaviour; core/simulation.hpp builds the running state from it. SI units.
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <variant>
-#include <vector>
-
 #include "core/contact/laws/constant_stiffness.hpp"
 #include "core/contact/laws/coulomb_friction.hpp"
 #include "core/contact/laws/deformability_stiffness.hpp"
@@ -18,6 +12,12 @@
 #include "core/types.hpp"
 #include "core/walls/motion.hpp"
 #include "core/walls/shapes.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
 
 namespace grainbench {
 
@@ -33,7 +33,8 @@ struct Species {
         return std::tuple{
             required(&Species::name, "name", "", any_number(), "name, unique among species"),
             required(&Species::radius, "radius", "m", positive(), "radius of the spheres"),
-            required(&Species::density, "density", "kg/m^3", positive(), "density of the material")};
+            required(
+                &Species::density, "density", "kg/m^3", positive(), "density of the material")};
     }
 };
 
@@ -62,11 +63,20 @@ struct RandomInsertion {
         return std::tuple{
             required(&RandomInsertion::species, "species", "", any_number(), "name of the species"),
             required(&RandomInsertion::count, "count", "1", at_least(0), "number asked for"),
-            field(&RandomInsertion::tries, "tries", "1", at_least(1),
+            field(&RandomInsertion::tries,
+                  "tries",
+                  "1",
+                  at_least(1),
                   "placement attempts in all; insertion ends when count or tries is reached"),
-            required(&RandomInsertion::box, "box", "m", any_number(),
+            required(&RandomInsertion::box,
+                     "box",
+                     "m",
+                     any_number(),
                      "box that bounds the surfaces of the spheres"),
-            field(&RandomInsertion::inside, "inside", "", any_number(),
+            field(&RandomInsertion::inside,
+                  "inside",
+                  "",
+                  any_number(),
                   "name of a closed wall that must hold the sphere entirely")};
     }
 };
@@ -83,14 +93,24 @@ struct LatticeInsertion {
 
     static constexpr auto fields() {
         return std::tuple{
-            required(&LatticeInsertion::species, "species", "", any_number(), "name of the species"),
+            required(
+                &LatticeInsertion::species, "species", "", any_number(), "name of the species"),
             required(&LatticeInsertion::origin, "origin", "m", any_number(), "first centre"),
-            required(&LatticeInsertion::spacing, "spacing", "m", at_least(0.0),
+            required(&LatticeInsertion::spacing,
+                     "spacing",
+                     "m",
+                     at_least(0.0),
                      "distance between centres along x, y, z"),
-            required(&LatticeInsertion::counts, "counts", "1", at_least(1),
+            required(&LatticeInsertion::counts,
+                     "counts",
+                     "1",
+                     at_least(1),
                      "three numbers of spheres, along x, y, z"),
             field(&LatticeInsertion::velocity, "velocity", "m/s", any_number(), "initial velocity"),
-            field(&LatticeInsertion::jitter, "jitter", "m", at_least(0.0),
+            field(&LatticeInsertion::jitter,
+                  "jitter",
+                  "m",
+                  at_least(0.0),
                   "each centre is moved at random by up to this along each axis")};
     }
 };
@@ -107,7 +127,10 @@ struct Placement {
             required(&Placement::species, "species", "", any_number(), "name of the species"),
             required(&Placement::position, "position", "m", any_number(), "centre"),
             field(&Placement::velocity, "velocity", "m/s", any_number(), "initial velocity"),
-            field(&Placement::angular_velocity, "angular_velocity", "rad/s", any_number(),
+            field(&Placement::angular_velocity,
+                  "angular_velocity",
+                  "rad/s",
+                  any_number(),
                   "initial spin")};
     }
 };
@@ -117,24 +140,30 @@ struct ListInsertion {
     std::vector<Placement> particles;
 
     static constexpr auto fields() {
-        return std::tuple{required(&ListInsertion::particles, "particles", "", any_number(),
-                                   "the spheres, one by one")};
+        return std::tuple{required(
+            &ListInsertion::particles, "particles", "", any_number(), "the spheres, one by one")};
     }
 };
 
-/// Spheres from a CSV (columns x,y,z[,radius][,vx,vy,vz][,wx,wy,wz][,species]) or VTP file. A radius
-/// column overrides the radius of the species. io fills `imported` before the scene is built.
+/// Spheres from a CSV (columns x,y,z[,radius][,vx,vy,vz][,wx,wy,wz][,species]) or VTP file. A
+/// radius column overrides the radius of the species. io fills `imported` before the scene is
+/// built.
 struct FileInsertion {
     static constexpr std::string_view key = "file";
     std::string path;
     std::string species;
 
     static constexpr auto fields() {
-        return std::tuple{
-            required(&FileInsertion::path, "path", "", any_number(),
-                     "CSV or VTP file, relative to the scene"),
-            required(&FileInsertion::species, "species", "", any_number(),
-                     "species of all rows that name none")};
+        return std::tuple{required(&FileInsertion::path,
+                                   "path",
+                                   "",
+                                   any_number(),
+                                   "CSV or VTP file, relative to the scene"),
+                          required(&FileInsertion::species,
+                                   "species",
+                                   "",
+                                   any_number(),
+                                   "species of all rows that name none")};
     }
 
     /// One sphere as read; not part of the JSON.
@@ -181,9 +210,15 @@ struct Particles {
     static constexpr auto fields() {
         return std::tuple{
             required(&Particles::species, "species", "", any_number(), "kinds of spheres"),
-            field(&Particles::insertion, "insertion", "", any_number(),
+            field(&Particles::insertion,
+                  "insertion",
+                  "",
+                  any_number(),
                   "how spheres come into the scene, in this order"),
-            field(&Particles::removal, "removal", "", any_number(),
+            field(&Particles::removal,
+                  "removal",
+                  "",
+                  any_number(),
                   "slices deleted after insertion")};
     }
 };
@@ -202,7 +237,10 @@ struct Wall {
             required(&Wall::name, "name", "", any_number(), "name, unique among walls"),
             required(&Wall::shape, "shape", "", any_number(), "geometry"),
             field(&Wall::motion, "motion", "", any_number(), "motion from the first stage on"),
-            field(&Wall::material, "material", "", any_number(),
+            field(&Wall::material,
+                  "material",
+                  "",
+                  any_number(),
                   "name used in contact.pairs; the wall's name if absent")};
     }
 
@@ -226,7 +264,10 @@ struct PairContact {
 
     static constexpr auto fields() {
         return std::tuple{
-            required(&PairContact::between, "between", "", any_number(),
+            required(&PairContact::between,
+                     "between",
+                     "",
+                     any_number(),
                      "two names: species or wall materials"),
             field(&PairContact::stiffness, "stiffness", "", any_number(), "stiffness of this pair"),
             field(&PairContact::friction, "friction", "", any_number(), "friction of this pair"),
@@ -246,7 +287,11 @@ struct Contact {
         return std::tuple{
             required(&Contact::stiffness, "stiffness", "", any_number(), "stiffness of contacts"),
             required(&Contact::normal, "normal", "", any_number(), "normal spring"),
-            field(&Contact::friction, "friction", "", any_number(), "friction; absent = frictionless"),
+            field(&Contact::friction,
+                  "friction",
+                  "",
+                  any_number(),
+                  "friction; absent = frictionless"),
             field(&Contact::damping, "damping", "", any_number(), "dashpots; absent = undamped"),
             field(&Contact::pairs, "pairs", "", any_number(), "other numbers for named pairs")};
     }
@@ -254,7 +299,8 @@ struct Contact {
 
 // --- timestep and detection ----------------------------------------------------------------------
 
-/// dt = min(safety_factor * stable step, kinematic limit, maximum), grown by at most `growth` a cycle.
+/// dt = min(safety_factor * stable step, kinematic limit, maximum), grown by at most `growth` a
+/// cycle.
 struct AutomaticTimestep {
     static constexpr std::string_view key = "automatic";
     double safety_factor = 0.8;
@@ -263,9 +309,15 @@ struct AutomaticTimestep {
 
     static constexpr auto fields() {
         return std::tuple{
-            field(&AutomaticTimestep::safety_factor, "safety_factor", "1", positive(),
+            field(&AutomaticTimestep::safety_factor,
+                  "safety_factor",
+                  "1",
+                  positive(),
                   "fraction of the estimated stable step"),
-            field(&AutomaticTimestep::growth, "growth", "1", Domain{.low = 1.0, .low_open = true},
+            field(&AutomaticTimestep::growth,
+                  "growth",
+                  "1",
+                  Domain{.low = 1.0, .low_open = true},
                   "largest growth factor from one cycle to the next"),
             field(&AutomaticTimestep::maximum, "maximum", "s", positive(), "upper bound")};
     }
@@ -280,18 +332,20 @@ struct FixedTimestep {
     }
 };
 
-/// Inertial masses are scaled so that the stable step of every particle is `value`; gravity uses the
-/// real mass. Time has no meaning: for quasi-static states only.
+/// Inertial masses are scaled so that the stable step of every particle is `value`; gravity uses
+/// the real mass. Time has no meaning: for quasi-static states only.
 struct ScaledTimestep {
     static constexpr std::string_view key = "scaled";
     double value = 1.0;
     double safety_factor = 0.8;
 
     static constexpr auto fields() {
-        return std::tuple{
-            field(&ScaledTimestep::value, "value", "s", positive(), "the step"),
-            field(&ScaledTimestep::safety_factor, "safety_factor", "1", positive(),
-                  "fraction of the estimated stable step")};
+        return std::tuple{field(&ScaledTimestep::value, "value", "s", positive(), "the step"),
+                          field(&ScaledTimestep::safety_factor,
+                                "safety_factor",
+                                "1",
+                                positive(),
+                                "fraction of the estimated stable step")};
     }
 };
 
@@ -304,14 +358,15 @@ struct DisplacementTrigger {
     static constexpr auto fields() { return std::tuple{}; }
 };
 
-/// Contacts are looked for every `interval` cycles, whatever moved: cheaper, may find contacts late.
+/// Contacts are looked for every `interval` cycles, whatever moved: cheaper, may find contacts
+/// late.
 struct RemapInterval {
     static constexpr std::string_view key = "interval";
     std::int64_t cycles = 10;
 
     static constexpr auto fields() {
-        return std::tuple{required(&RemapInterval::cycles, "cycles", "1", at_least(1),
-                                   "cycles between two searches")};
+        return std::tuple{required(
+            &RemapInterval::cycles, "cycles", "1", at_least(1), "cycles between two searches")};
     }
 };
 
@@ -325,9 +380,16 @@ struct Detection {
     static constexpr auto fields() {
         return std::tuple{
             field(&Detection::trigger, "trigger", "", any_number(), "when contacts are looked for"),
-            field(&Detection::tolerance, "tolerance", "1", positive(),
-                  "detection tolerance of a particle over its radius: contacts exist within the sum"),
-            field(&Detection::create_on_overlap, "create_on_overlap", "", any_number(),
+            field(
+                &Detection::tolerance,
+                "tolerance",
+                "1",
+                positive(),
+                "detection tolerance of a particle over its radius: contacts exist within the sum"),
+            field(&Detection::create_on_overlap,
+                  "create_on_overlap",
+                  "",
+                  any_number(),
                   "contacts exist only while surfaces overlap")};
     }
 };
@@ -357,10 +419,17 @@ struct Layers {
     static constexpr auto fields() {
         return std::tuple{
             field(&Layers::axis, "axis", "", any_number(), "axis of the layers"),
-            required(&Layers::edges, "edges", "m", any_number(),
+            required(&Layers::edges,
+                     "edges",
+                     "m",
+                     any_number(),
                      "edges from the first layer to the last, descending or ascending"),
-            field(&Layers::relayer_count, "relayer_count", "1", at_least(1),
-                  "equal layers between the lowest and the highest centre, 1 on top, assigned anew in "
+            field(&Layers::relayer_count,
+                  "relayer_count",
+                  "1",
+                  at_least(1),
+                  "equal layers between the lowest and the highest centre, 1 on top, assigned anew "
+                  "in "
                   "each frame as the array current_layer")};
     }
 };
@@ -373,15 +442,26 @@ struct ElevationObservable {
     double average_interval = 0.1;
 
     static constexpr auto fields() {
-        return std::tuple{
-            required(&ElevationObservable::upper, "upper", "", any_number(),
-                     "group whose mean height is taken"),
-            required(&ElevationObservable::lower, "lower", "", any_number(),
-                     "group whose mean height is subtracted"),
-            field(&ElevationObservable::sample_cycles, "sample_cycles", "1", at_least(1),
-                  "cycles between two samples"),
-            field(&ElevationObservable::average_interval, "average_interval", "s", positive(),
-                  "interval of the running average; a stage may change it")};
+        return std::tuple{required(&ElevationObservable::upper,
+                                   "upper",
+                                   "",
+                                   any_number(),
+                                   "group whose mean height is taken"),
+                          required(&ElevationObservable::lower,
+                                   "lower",
+                                   "",
+                                   any_number(),
+                                   "group whose mean height is subtracted"),
+                          field(&ElevationObservable::sample_cycles,
+                                "sample_cycles",
+                                "1",
+                                at_least(1),
+                                "cycles between two samples"),
+                          field(&ElevationObservable::average_interval,
+                                "average_interval",
+                                "s",
+                                positive(),
+                                "interval of the running average; a stage may change it")};
     }
 };
 
@@ -401,12 +481,17 @@ struct Observables {
     std::optional<WallForceObservable> wall_forces;
 
     static constexpr auto fields() {
-        return std::tuple{
-            field(&Observables::elevation, "elevation", "", any_number(),
-                  "mean height of one group over another, with entrainment time"),
-            field(&Observables::energy, "energy", "", any_number(), "energy ledger"),
-            field(&Observables::wall_forces, "wall_forces", "", any_number(),
-                  "force and torque on each wall")};
+        return std::tuple{field(&Observables::elevation,
+                                "elevation",
+                                "",
+                                any_number(),
+                                "mean height of one group over another, with entrainment time"),
+                          field(&Observables::energy, "energy", "", any_number(), "energy ledger"),
+                          field(&Observables::wall_forces,
+                                "wall_forces",
+                                "",
+                                any_number(),
+                                "force and torque on each wall")};
     }
 };
 
@@ -430,12 +515,16 @@ struct Realisations {
     static constexpr auto fields() {
         return std::tuple{
             field(&Realisations::count, "count", "1", between(1, 10000), "number of copies"),
-            field(&Realisations::seed, "seed", "", at_least(0),
+            field(&Realisations::seed,
+                  "seed",
+                  "",
+                  at_least(0),
                   "seed of the first; the others count up from it")};
     }
 };
 
-/// When files are written. An absent interval means never (but the end of the run is always written).
+/// When files are written. An absent interval means never (but the end of the run is always
+/// written).
 struct Output {
     std::optional<double> frame_interval;
     std::optional<double> history_interval;
@@ -445,19 +534,36 @@ struct Output {
     bool contacts = false;
 
     static constexpr auto fields() {
-        return std::tuple{
-            field(&Output::frame_interval, "frame_interval", "s", positive(),
-                  "time between frames (particles, walls)"),
-            field(&Output::history_interval, "history_interval", "s", positive(),
-                  "time between rows of the history"),
-            field(&Output::history_cycles, "history_cycles", "1", at_least(1),
-                  "cycles between rows of the history; instead of history_interval"),
-            field(&Output::trace_interval, "trace_interval", "s", positive(),
-                  "time between points of a trace"),
-            field(&Output::checkpoint_interval, "checkpoint_interval", "s", positive(),
-                  "simulated time between checkpoints"),
-            field(&Output::contacts, "contacts", "", any_number(),
-                  "write the contact network with each frame")};
+        return std::tuple{field(&Output::frame_interval,
+                                "frame_interval",
+                                "s",
+                                positive(),
+                                "time between frames (particles, walls)"),
+                          field(&Output::history_interval,
+                                "history_interval",
+                                "s",
+                                positive(),
+                                "time between rows of the history"),
+                          field(&Output::history_cycles,
+                                "history_cycles",
+                                "1",
+                                at_least(1),
+                                "cycles between rows of the history; instead of history_interval"),
+                          field(&Output::trace_interval,
+                                "trace_interval",
+                                "s",
+                                positive(),
+                                "time between points of a trace"),
+                          field(&Output::checkpoint_interval,
+                                "checkpoint_interval",
+                                "s",
+                                positive(),
+                                "simulated time between checkpoints"),
+                          field(&Output::contacts,
+                                "contacts",
+                                "",
+                                any_number(),
+                                "write the contact network with each frame")};
     }
 };
 
@@ -470,7 +576,10 @@ struct StageMotion {
     static constexpr auto fields() {
         return std::tuple{
             required(&StageMotion::wall, "wall", "", any_number(), "name of the wall"),
-            required(&StageMotion::motion, "motion", "", any_number(),
+            required(&StageMotion::motion,
+                     "motion",
+                     "",
+                     any_number(),
                      "motion from the start of this stage on")};
     }
 };
@@ -492,7 +601,10 @@ struct Stage {
             field(&Stage::contact, "contact", "", any_number(), "contact laws from here on"),
             field(&Stage::timestep, "timestep", "", any_number(), "timestep scheme from here on"),
             field(&Stage::output, "output", "", any_number(), "output intervals from here on"),
-            field(&Stage::average_interval, "average_interval", "s", positive(),
+            field(&Stage::average_interval,
+                  "average_interval",
+                  "s",
+                  positive(),
                   "averaging interval of the elevation from here on")};
     }
 };
@@ -537,7 +649,8 @@ struct Scene {
             field(&Scene::layers, "layers", "", any_number(), "numbered slices"),
             field(&Scene::observables, "observables", "", any_number(), "what is measured"),
             field(&Scene::traces, "traces", "", any_number(), "particles whose path is recorded"),
-            field(&Scene::realisations, "realisations", "", any_number(), "copies with other seeds"),
+            field(
+                &Scene::realisations, "realisations", "", any_number(), "copies with other seeds"),
             field(&Scene::output, "output", "", any_number(), "when files are written")};
     }
 };

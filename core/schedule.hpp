@@ -1,11 +1,11 @@
 /// When output is due: intervals that count from the start of a stage and never drift.
 #pragma once
 
-#include <cstdint>
-#include <optional>
-
 #include "core/archive.hpp"
 #include "core/scene.hpp"
+
+#include <cstdint>
+#include <optional>
 
 namespace grainbench {
 

@@ -1,13 +1,13 @@
 #include "core/simulation.hpp"
 
-#include <algorithm>
-#include <bit>
-#include <limits>
-
 #include "core/engine.hpp"
 #include "core/measure/elevation.hpp"
 #include "core/measure/selection.hpp"
 #include "core/schedule.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
 
 namespace grainbench {
 
@@ -35,7 +35,8 @@ Vec3 up_direction(const Scene& scene) {
     return norm(g) > 0.0 ? normalized(-g) : Vec3{0.0, 0.0, 1.0};
 }
 
-std::vector<Index> required_group(const Scene& scene, const std::string& name,
+std::vector<Index> required_group(const Scene& scene,
+                                  const std::string& name,
                                   const ParticleState& particles) {
     std::vector<Index> slots;
     for (const Group& group : scene.groups) {
@@ -159,8 +160,8 @@ void Simulation::Impl::observe() {
     smallest_timestep = std::min(smallest_timestep, engine.timestep());
     largest_timestep = std::max(largest_timestep, engine.timestep());
     if (elevation &&
-        engine.cycle() %
-                static_cast<std::uint64_t>(scene.observables.elevation->sample_cycles) == 0) {
+        engine.cycle() % static_cast<std::uint64_t>(scene.observables.elevation->sample_cycles) ==
+            0) {
         elevation->sample(engine.particles(), engine.time());
     }
 }
@@ -288,9 +289,9 @@ std::string Simulation::isa() const {
 ParticleFrame Simulation::particle_frame() const {
     const Impl& s = *impl_;
     const ParticleState& p = s.engine.particles();
-    const std::vector<std::int32_t> current_layers =
-        s.scene.layers ? current_layer_numbers(*s.scene.layers, p)
-                       : std::vector<std::int32_t>(p.size(), 0);
+    const std::vector<std::int32_t> current_layers = s.scene.layers
+                                                         ? current_layer_numbers(*s.scene.layers, p)
+                                                         : std::vector<std::int32_t>(p.size(), 0);
     std::vector<std::int32_t> contacts(p.size(), 0);
     for (const Index k : s.engine.pairs().touching()) {
         ++contacts[s.engine.pairs().objects().i[k]];
@@ -361,8 +362,7 @@ ContactFrame Simulation::contact_frame() const {
         frame.wall.push_back(0);
         frame.i_position.push_back(p.position(i));
         frame.j_position.push_back(p.position(j));
-        frame.overlap.push_back(p.radius(i) + p.radius(j) -
-                                norm(p.position(j) - p.position(i)));
+        frame.overlap.push_back(p.radius(i) + p.radius(j) - norm(p.position(j) - p.position(i)));
         append(engine.pairs().record(t));
     }
     for (std::size_t w = 0; w < engine.walls().size(); ++w) {
@@ -412,9 +412,16 @@ std::vector<double> Simulation::history_row() const {
     }
     if (s.engine.has_ledger()) {
         const Energies e = s.engine.energies();
-        row.insert(row.end(), {e.kinetic_translation, e.kinetic_rotation, e.potential, e.elastic,
-                               e.dissipated_slip, e.dissipated_dashpot, e.wall_work, e.numerical,
-                               e.residual});
+        row.insert(row.end(),
+                   {e.kinetic_translation,
+                    e.kinetic_rotation,
+                    e.potential,
+                    e.elastic,
+                    e.dissipated_slip,
+                    e.dissipated_dashpot,
+                    e.wall_work,
+                    e.numerical,
+                    e.residual});
     }
     if (s.scene.observables.wall_forces) {
         for (std::size_t w = 0; w < s.engine.walls().size(); ++w) {
@@ -425,8 +432,14 @@ std::vector<double> Simulation::history_row() const {
                 force += contacts.force(t);
                 torque += cross(contacts.point(s.engine.particles(), t), contacts.force(t));
             }
-            row.insert(row.end(), {force.x, force.y, force.z, torque.x, torque.y, torque.z,
-                                   s.engine.walls()[w].displacement().z});
+            row.insert(row.end(),
+                       {force.x,
+                        force.y,
+                        force.z,
+                        torque.x,
+                        torque.y,
+                        torque.z,
+                        s.engine.walls()[w].displacement().z});
         }
     }
     return row;
@@ -472,8 +485,12 @@ void Simulation::save(Archive& archive) const {
     archive.put("cycle", cycle());
     archive.put("stage", static_cast<std::uint64_t>(s.stage));
     archive.put("flags", std::vector<std::uint8_t>{s.started, s.finished});
-    archive.put("numbers", std::vector<double>{s.stage_start, s.stage_end, s.smallest_timestep,
-                                               s.largest_timestep, s.largest_overlap_ratio});
+    archive.put("numbers",
+                std::vector<double>{s.stage_start,
+                                    s.stage_end,
+                                    s.smallest_timestep,
+                                    s.largest_timestep,
+                                    s.largest_overlap_ratio});
 }
 
 void Simulation::load(const Archive& archive) {

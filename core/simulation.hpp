@@ -1,17 +1,17 @@
 /// One realisation of a scene: builds the state, steps it, and says when output is due.
 #pragma once
 
+#include "core/archive.hpp"
+#include "core/frame.hpp"
+#include "core/insertion/insert.hpp"
+#include "core/scene.hpp"
+
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
-
-#include "core/archive.hpp"
-#include "core/frame.hpp"
-#include "core/insertion/insert.hpp"
-#include "core/scene.hpp"
 
 namespace grainbench {
 
@@ -42,16 +42,16 @@ struct SimulationOptions {
 /// Scalars known at the end of (or during) a run.
 struct Summary {
     std::uint64_t cycles = 0;
-    double time = 0.0;                          ///< [s]
-    double mean_timestep = 0.0;                 ///< [s]
-    double smallest_timestep = 0.0;             ///< [s]
-    double largest_timestep = 0.0;              ///< [s]
-    std::optional<double> entrainment_time;     ///< [s] first sample with elevation > 0
-    std::optional<double> average_elevation;    ///< [m] of the last complete averaging interval
-    std::uint64_t late_contacts = 0;            ///< contacts found already overlapping
-    double largest_overlap_ratio = 0.0;         ///< [1] overlap over the smaller radius, sampled
-    std::uint64_t searches = 0;                 ///< contact list renewals
-    std::uint64_t candidate_builds = 0;         ///< candidate list renewals
+    double time = 0.0;                        ///< [s]
+    double mean_timestep = 0.0;               ///< [s]
+    double smallest_timestep = 0.0;           ///< [s]
+    double largest_timestep = 0.0;            ///< [s]
+    std::optional<double> entrainment_time;   ///< [s] first sample with elevation > 0
+    std::optional<double> average_elevation;  ///< [m] of the last complete averaging interval
+    std::uint64_t late_contacts = 0;          ///< contacts found already overlapping
+    double largest_overlap_ratio = 0.0;       ///< [1] overlap over the smaller radius, sampled
+    std::uint64_t searches = 0;               ///< contact list renewals
+    std::uint64_t candidate_builds = 0;       ///< candidate list renewals
 };
 
 class Simulation {
@@ -70,11 +70,11 @@ public:
     bool advance(std::uint64_t cycles, Observer& observer);
 
     int index() const;
-    double time() const;             ///< [s]
-    double end_time() const;         ///< [s]
-    double timestep() const;         ///< [s] of the last cycle
+    double time() const;      ///< [s]
+    double end_time() const;  ///< [s]
+    double timestep() const;  ///< [s] of the last cycle
     std::uint64_t cycle() const;
-    std::size_t stage() const;       ///< index of the current stage
+    std::size_t stage() const;  ///< index of the current stage
     bool finished() const;
     std::size_t particle_count() const;
     std::size_t candidate_count() const;  ///< pairs in the candidate list

@@ -1,8 +1,8 @@
 #include "core/contact/contact_table.hpp"
 
-#include <algorithm>
-
 #include "core/error.hpp"
+
+#include <algorithm>
 
 namespace grainbench {
 
@@ -13,7 +13,8 @@ template <class Visit>
 void with_law_set(std::size_t combination, Visit&& visit) {
     [&]<std::size_t... C>(std::index_sequence<C...>) {
         ((C == combination ? visit(LawSetOf<C>{}) : void()), ...);
-    }(std::make_index_sequence<combination_count()>{});
+    }
+    (std::make_index_sequence<combination_count()>{});
 }
 
 /// Values of one law, by its parameters.
@@ -60,7 +61,8 @@ Index Materials::index_of(const std::string& name) const {
 }
 
 ContactTable::ContactTable(const Contact& contact, const Materials& materials)
-    : choice_{contact.stiffness.index(), contact.normal.index(),
+    : choice_{contact.stiffness.index(),
+              contact.normal.index(),
               contact.friction ? 1 + contact.friction->index() : 0,
               contact.damping ? 1 + contact.damping->index() : 0},
       materials_(materials.count()) {
@@ -101,7 +103,9 @@ void ContactTable::put(Index a, Index b, int value, double x) {
     values_[static_cast<std::size_t>(value) * pairs + a * materials_ + b] = x;
 }
 
-void ContactTable::resolve_pair(const Contact& contact, const PairContact* changes, Index a,
+void ContactTable::resolve_pair(const Contact& contact,
+                                const PairContact* changes,
+                                Index a,
                                 Index b) {
     int next = 0;
     const auto append = [&](const auto& law) {
@@ -154,7 +158,9 @@ LawView ContactTable::view(double timestep) const {
     return {values_.data(), static_cast<Index>(materials_ * materials_), materials_, timestep};
 }
 
-ContactStiffness ContactTable::stiffness(Index material_i, Index material_j, double radius_i,
+ContactStiffness ContactTable::stiffness(Index material_i,
+                                         Index material_j,
+                                         double radius_i,
                                          double radius_j) const {
     const std::size_t pair = material_i * materials_ + material_j;
     const std::size_t pairs = static_cast<std::size_t>(materials_) * materials_;

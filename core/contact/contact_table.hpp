@@ -1,17 +1,18 @@
-/// The scene's contact laws made ready for the passes: which combination of laws, and their values for
-/// every pair of materials. Materials are the species, in order, then the wall materials.
+/// The scene's contact laws made ready for the passes: which combination of laws, and their values
+/// for every pair of materials. Materials are the species, in order, then the wall materials.
 #pragma once
-
-#include <string>
-#include <vector>
 
 #include "core/contact/law_table.hpp"
 #include "core/kernels/kernels.hpp"
 #include "core/scene.hpp"
 
+#include <string>
+#include <vector>
+
 namespace grainbench {
 
-/// Names of the materials of a scene; a wall material that bears the name of a species is that species.
+/// Names of the materials of a scene; a wall material that bears the name of a species is that
+/// species.
 class Materials {
 public:
     Materials() = default;
@@ -57,10 +58,14 @@ public:
     LawView view(double timestep) const;
 
     /// Of a contact between two materials with these radii; radius_j = 0 means a wall.
-    ContactStiffness stiffness(Index material_i, Index material_j, double radius_i,
+    ContactStiffness stiffness(Index material_i,
+                               Index material_j,
+                               double radius_i,
                                double radius_j) const;
 
-    StepStiffness step_stiffness(Index material_i, Index material_j, double radius_i,
+    StepStiffness step_stiffness(Index material_i,
+                                 Index material_j,
+                                 double radius_i,
                                  double radius_j) const {
         const std::size_t pair = static_cast<std::size_t>(material_i) * materials_ + material_j;
         const ContactStiffness k = constant_.empty()
@@ -75,8 +80,8 @@ public:
         return {damping_[2 * pair], damping_[2 * pair + 1]};
     }
 
-    /// For each column of the history of `next`, the column of `before` that holds the same quantity, or
-    /// -1: laws that stay on keep their history when a stage changes the laws.
+    /// For each column of the history of `next`, the column of `before` that holds the same
+    /// quantity, or -1: laws that stay on keep their history when a stage changes the laws.
     friend std::vector<int> history_sources(const ContactTable& before, const ContactTable& next);
 
 private:
@@ -87,8 +92,8 @@ private:
     int history_size_ = 0;
     Index materials_ = 0;
     std::vector<double> values_;
-    std::vector<double> damping_;      ///< two per pair: beta_n, beta_s
-    std::vector<double> step_factor_;  ///< two per pair: K / k
+    std::vector<double> damping_;             ///< two per pair: beta_n, beta_s
+    std::vector<double> step_factor_;         ///< two per pair: K / k
     std::vector<ContactStiffness> constant_;  ///< by pair, where it does not depend on radii
 };
 

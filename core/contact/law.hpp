@@ -41,12 +41,12 @@ constexpr bool contains(Needs set, Needs part) {
 /// Kinematics of one contact per lane. Body i is a particle; j is a particle or a wall.
 template <class T>
 struct Geometry {
-    Vec3Of<T> normal;            ///< [1] unit vector from i to j
-    T overlap;                   ///< [m] positive in contact
-    T timestep;                  ///< [s] dt of the half-step velocities
-    T entry;                     ///< [1] fraction of this step spent in contact, 1 unless the first
-    T effective_mass;            ///< [kg] m_i m_j / (m_i + m_j); m_i against a wall
-    T opening_speed;             ///< [m/s] v_n = (v_j - v_i) . n at the contact, negative on approach
+    Vec3Of<T> normal;  ///< [1] unit vector from i to j
+    T overlap;         ///< [m] positive in contact
+    T timestep;        ///< [s] dt of the half-step velocities
+    T entry;           ///< [1] fraction of this step spent in contact, 1 unless the first
+    T effective_mass;  ///< [kg] m_i m_j / (m_i + m_j); m_i against a wall
+    T opening_speed;   ///< [m/s] v_n = (v_j - v_i) . n at the contact, negative on approach
     Vec3Of<T> sliding_velocity;  ///< [m/s] v_s, tangential part of the same
     T mean_spin;                 ///< [rad/s] mean of both bodies' spin about n
     T area_radius;               ///< [m] smaller radius; R_i against a wall
@@ -58,15 +58,15 @@ template <class T>
 struct Load {
     using Mask = decltype(T{} < T{});
 
-    T stiffness_n{};           ///< [N/m]
-    T stiffness_s{};           ///< [N/m]
-    T normal{};                ///< [N] spring part, compression positive; sets the Coulomb limit
-    T normal_damping{};        ///< [N] dashpot part, same sign
-    Vec3Of<T> shear{};         ///< [N] spring part
-    Vec3Of<T> shear_damping{}; ///< [N] dashpot part
-    Mask slipping{};           ///< shear spring is at its limit; all lanes where there is no friction law
-    T slip_work{};             ///< [J] dissipated by sliding in this step
-    T stored{};                ///< [J] elastic energy held by the springs
+    T stiffness_n{};            ///< [N/m]
+    T stiffness_s{};            ///< [N/m]
+    T normal{};                 ///< [N] spring part, compression positive; sets the Coulomb limit
+    T normal_damping{};         ///< [N] dashpot part, same sign
+    Vec3Of<T> shear{};          ///< [N] spring part
+    Vec3Of<T> shear_damping{};  ///< [N] dashpot part
+    Mask slipping{};  ///< shear spring is at its limit; all lanes where there is no friction law
+    T slip_work{};    ///< [J] dissipated by sliding in this step
+    T stored{};       ///< [J] elastic energy held by the springs
 };
 
 /// Nothing: no history, no needs, no code. Fills the slot of an effect that the scene leaves out.

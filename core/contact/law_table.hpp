@@ -1,13 +1,8 @@
-/// THE table of contact laws: the slots, in order of evaluation, and the laws that may fill each. The
-/// order is physics: stiffness before the springs that use it, the normal spring before friction whose
-/// limit it sets, friction before the dashpots that are cut on slip. Every combination becomes one
-/// instance of the contact pass (core/kernels), chosen once per stage.
+/// THE table of contact laws: the slots, in order of evaluation, and the laws that may fill each.
+/// The order is physics: stiffness before the springs that use it, the normal spring before
+/// friction whose limit it sets, friction before the dashpots that are cut on slip. Every
+/// combination becomes one instance of the contact pass (core/kernels), chosen once per stage.
 #pragma once
-
-#include <array>
-#include <cstddef>
-#include <tuple>
-#include <utility>
 
 #include "core/contact/law.hpp"
 #include "core/contact/laws/constant_stiffness.hpp"
@@ -16,6 +11,11 @@
 #include "core/contact/laws/incremental_spring.hpp"
 #include "core/contact/laws/linear_spring.hpp"
 #include "core/contact/laws/viscous_damping.hpp"
+
+#include <array>
+#include <cstddef>
+#include <tuple>
+#include <utility>
 
 namespace grainbench {
 
@@ -83,7 +83,8 @@ struct LawSet {
         constexpr auto places = first_places();
         [&]<std::size_t... L>(std::index_sequence<L...>) {
             (visit.template operator()<Laws, places[L].first, places[L].second>(), ...);
-        }(std::index_sequence_for<Laws...>{});
+        }
+        (std::index_sequence_for<Laws...>{});
     }
 
 private:
@@ -102,22 +103,23 @@ private:
 namespace detail {
 
 template <std::size_t Combination, std::size_t... S>
-auto law_set(std::index_sequence<S...>)
-    -> LawSet<std::tuple_element_t<choice_of(Combination)[S], std::tuple_element_t<S, LawSlots>>...>;
+auto law_set(std::index_sequence<S...>) -> LawSet<
+    std::tuple_element_t<choice_of(Combination)[S], std::tuple_element_t<S, LawSlots>>...>;
 
 }  // namespace detail
 
 /// The laws of one combination.
 template <std::size_t Combination>
-using LawSetOf =
-    decltype(detail::law_set<Combination>(std::make_index_sequence<slot_count>{}));
+using LawSetOf = decltype(detail::law_set<Combination>(std::make_index_sequence<slot_count>{}));
 
-/// Reads a law's values, in the order of its Values members, from read(k), k = 0 ... value_count - 1.
+/// Reads a law's values, in the order of its Values members, from read(k), k = 0 ... value_count
+/// - 1.
 template <class Law, class T, class Read>
 typename Law::template Values<T> values_of(Read&& read) {
     return [&]<int... K>(std::integer_sequence<int, K...>) {
         return typename Law::template Values<T>{read(K)...};
-    }(std::make_integer_sequence<int, Law::value_count>{});
+    }
+    (std::make_integer_sequence<int, Law::value_count>{});
 }
 
 }  // namespace grainbench

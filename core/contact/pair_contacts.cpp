@@ -34,7 +34,8 @@ void PairContacts::change_history(std::span<const int> sources) {
     for (std::size_t c = 0; c < sources.size(); ++c) {
         if (sources[c] >= 0) {
             const auto from = static_cast<std::size_t>(sources[c]) * history_stride_;
-            std::copy_n(old.begin() + static_cast<std::ptrdiff_t>(from), history_stride_,
+            std::copy_n(old.begin() + static_cast<std::ptrdiff_t>(from),
+                        history_stride_,
                         history_.begin() + static_cast<std::ptrdiff_t>(c * history_stride_));
         }
     }
@@ -47,7 +48,8 @@ void PairContacts::add_travel(double bound) {
     last_travel_ = bound;
 }
 
-bool PairContacts::is_due(std::uint64_t cycle, const ParticleState& particles,
+bool PairContacts::is_due(std::uint64_t cycle,
+                          const ParticleState& particles,
                           const Vec3& bed_shift) {
     if (!started_) {
         return true;
@@ -58,15 +60,16 @@ bool PairContacts::is_due(std::uint64_t cycle, const ParticleState& particles,
     if (settings_.interval > 0) {
         return cycle >= last_cycle_ + static_cast<std::uint64_t>(settings_.interval);
     }
-    return near_clock_.expired(settings_.tolerance * particles.smallest_radius(), particles,
-                               bed_shift, true);
+    return near_clock_.expired(
+        settings_.tolerance * particles.smallest_radius(), particles, bed_shift, true);
 }
 
-Renewal PairContacts::update(std::uint64_t cycle, const ParticleState& particles,
-                             const Vec3& bed_shift, const Kernels& kernels) {
+Renewal PairContacts::update(std::uint64_t cycle,
+                             const ParticleState& particles,
+                             const Vec3& bed_shift,
+                             const Kernels& kernels) {
     if (is_due(cycle, particles, bed_shift)) {
-        if (!started_ ||
-            candidate_clock_.expired(settings_.slack, particles, bed_shift, true)) {
+        if (!started_ || candidate_clock_.expired(settings_.slack, particles, bed_shift, true)) {
             build_candidates(particles, bed_shift);
         }
         renew(particles, kernels);
@@ -91,8 +94,12 @@ void PairContacts::renew_soon(const ParticleState& particles, const Kernels& ker
     if (settings_.brute_force) {
         std::iota(found_.begin(), found_.end(), Index{0});
     } else {
-        count = kernels.find_pairs({particles.positions().data(), contacts_.i.data(),
-                                    contacts_.j.data(), contacts_.count, 1.0, 2.0 * soon_limit_,
+        count = kernels.find_pairs({particles.positions().data(),
+                                    contacts_.i.data(),
+                                    contacts_.j.data(),
+                                    contacts_.count,
+                                    1.0,
+                                    2.0 * soon_limit_,
                                     found_.data()});
     }
     soon_.clear();
@@ -132,9 +139,13 @@ void PairContacts::renew(const ParticleState& particles, const Kernels& kernels)
             found[k] = k;
         }
     } else {
-        count = kernels.find_pairs({particles.positions().data(), candidates_.i.data(),
-                                    candidates_.j.data(), candidates_.count,
-                                    1.0 + settings_.tolerance, 0.0, found.data()});
+        count = kernels.find_pairs({particles.positions().data(),
+                                    candidates_.i.data(),
+                                    candidates_.j.data(),
+                                    candidates_.count,
+                                    1.0 + settings_.tolerance,
+                                    0.0,
+                                    found.data()});
     }
     contacts_ = {};
     contacts_.i.reserve(count + 16);
@@ -152,9 +163,11 @@ void PairContacts::renew(const ParticleState& particles, const Kernels& kernels)
     ++renewals_;
 }
 
-void PairContacts::carry_over(const ParticleState& particles, const PairList& old_list,
+void PairContacts::carry_over(const ParticleState& particles,
+                              const PairList& old_list,
                               const std::vector<std::uint8_t>& old_active,
-                              const Column<double>& old_history, std::size_t old_stride) {
+                              const Column<double>& old_history,
+                              std::size_t old_stride) {
     Index old = 0;
     for (Index k = 0; k < contacts_.count; ++k) {
         while (old < old_list.count && key(old_list, old) < key(contacts_, k)) {
@@ -185,9 +198,13 @@ void PairContacts::collect_active() {
 }
 
 bool PairContacts::find_touching(const ParticleState& particles, const Kernels& kernels) {
-    touching_count_ =
-        kernels.find_pairs({particles.positions().data(), soon_.i.data(), soon_.j.data(),
-                            soon_.count, 1.0, 0.0, touching_.data()});
+    touching_count_ = kernels.find_pairs({particles.positions().data(),
+                                          soon_.i.data(),
+                                          soon_.j.data(),
+                                          soon_.count,
+                                          1.0,
+                                          0.0,
+                                          touching_.data()});
     for (Index t = 0; t < touching_count_; ++t) {
         touching_[t] = soon_place_[touching_[t]];
     }
@@ -209,12 +226,16 @@ bool PairContacts::find_touching(const ParticleState& particles, const Kernels& 
     return changed;
 }
 
-void PairContacts::add_forces(ParticleState& particles, const ContactTable& table, double timestep,
-                              bool records, const Kernels& kernels) {
+void PairContacts::add_forces(ParticleState& particles,
+                              const ContactTable& table,
+                              double timestep,
+                              bool records,
+                              const Kernels& kernels) {
     if (records) {
         records_.resize(static_cast<std::size_t>(touching_count_) * record_size);
     }
-    kernels.pair_pass(table.combination(), records,
+    kernels.pair_pass(table.combination(),
+                      records,
                       {.particles = particles.view(),
                        .laws = table.view(timestep),
                        .i = contacts_.i.data(),

@@ -1,16 +1,16 @@
 /// Contacts between particles, in three lists, each a part of the one before and each renewed when
-/// particles may have travelled far enough to matter: candidates (a cell grid away), contact objects
-/// (within the detection tolerance; they hold the history) and those that may touch soon (within the
-/// travel of a few steps; they count for the stable step). Touching contacts are looked for in the last
-/// only. Lists are in lexicographic order of (i, j), so that history is carried over in one sweep and
-/// forces are summed in one fixed order.
+/// particles may have travelled far enough to matter: candidates (a cell grid away), contact
+/// objects (within the detection tolerance; they hold the history) and those that may touch soon
+/// (within the travel of a few steps; they count for the stable step). Touching contacts are looked
+/// for in the last only. Lists are in lexicographic order of (i, j), so that history is carried
+/// over in one sweep and forces are summed in one fixed order.
 #pragma once
-
-#include <algorithm>
 
 #include "core/contact/contact_table.hpp"
 #include "core/search/candidates.hpp"
 #include "core/search/travel_clock.hpp"
+
+#include <algorithm>
 
 namespace grainbench {
 
@@ -47,15 +47,20 @@ public:
     void add_travel(double bound);
 
     /// Renews the lists that are due, at the present positions.
-    Renewal update(std::uint64_t cycle, const ParticleState& particles, const Vec3& bed_shift,
+    Renewal update(std::uint64_t cycle,
+                   const ParticleState& particles,
+                   const Vec3& bed_shift,
                    const Kernels& kernels);
 
     /// Finds the touching contacts; those that opened lose their history. True if the set changed.
     bool find_touching(const ParticleState& particles, const Kernels& kernels);
 
     /// Adds the forces of the touching contacts.
-    void add_forces(ParticleState& particles, const ContactTable& table, double timestep,
-                    bool records, const Kernels& kernels);
+    void add_forces(ParticleState& particles,
+                    const ContactTable& table,
+                    double timestep,
+                    bool records,
+                    const Kernels& kernels);
 
     const PairList& objects() const { return contacts_; }
 
@@ -86,8 +91,10 @@ private:
     void build_candidates(const ParticleState& particles, const Vec3& bed_shift);
     void renew(const ParticleState& particles, const Kernels& kernels);
     void renew_soon(const ParticleState& particles, const Kernels& kernels);
-    void carry_over(const ParticleState& particles, const PairList& old_list,
-                    const std::vector<std::uint8_t>& old_active, const Column<double>& old_history,
+    void carry_over(const ParticleState& particles,
+                    const PairList& old_list,
+                    const std::vector<std::uint8_t>& old_active,
+                    const Column<double>& old_history,
                     std::size_t old_stride);
     void collect_active();
 
@@ -101,9 +108,9 @@ private:
     PairList candidates_;
     PairList contacts_;
     PairList soon_;
-    Column<Index> soon_place_;   ///< in contacts_
-    double last_travel_ = 0.0;   ///< bound of the last step
-    double soon_travel_ = 0.0;   ///< since the soon list was renewed
+    Column<Index> soon_place_;  ///< in contacts_
+    double last_travel_ = 0.0;  ///< bound of the last step
+    double soon_travel_ = 0.0;  ///< since the soon list was renewed
     double soon_limit_ = 0.0;
     Column<Index> found_;
     std::vector<std::uint8_t> active_;  ///< by contact: acted in the last step, or born overlapping

@@ -19,21 +19,25 @@ void for_each_particle(Index count, Particle&& particle, Visit&& visit) {
     }
 }
 
-ClosePatches close_patches(const ParticleState& particles, const WallBody& wall,
-                           const PairList& list, double scale, double extra, Index* found) {
-    ClosePatches query{.position = particles.positions().data(),
-                       .planes = wall.surface().bounding_planes().data(),
-                       .particle = list.i.data(),
-                       .patch = list.j.data(),
-                       .count = list.count,
-                       .shift = {wall.displacement().x, wall.displacement().y,
-                                 wall.displacement().z},
-                       .rotation = {},
-                       .centre = {},
-                       .rotated = wall.is_turned(),
-                       .scale = scale,
-                       .extra = extra,
-                       .found = found};
+ClosePatches close_patches(const ParticleState& particles,
+                           const WallBody& wall,
+                           const PairList& list,
+                           double scale,
+                           double extra,
+                           Index* found) {
+    ClosePatches query{
+        .position = particles.positions().data(),
+        .planes = wall.surface().bounding_planes().data(),
+        .particle = list.i.data(),
+        .patch = list.j.data(),
+        .count = list.count,
+        .shift = {wall.displacement().x, wall.displacement().y, wall.displacement().z},
+        .rotation = {},
+        .centre = {},
+        .rotated = wall.is_turned(),
+        .scale = scale,
+        .extra = extra,
+        .found = found};
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column) {
             query.rotation[3 * row + column] = wall.rotation()[3 * column + row];
@@ -59,7 +63,8 @@ void WallContacts::change_history(std::span<const int> sources) {
     for (std::size_t c = 0; c < sources.size(); ++c) {
         if (sources[c] >= 0) {
             const auto from = static_cast<std::size_t>(sources[c]) * stride_;
-            std::copy_n(old.begin() + static_cast<std::ptrdiff_t>(from), stride_,
+            std::copy_n(old.begin() + static_cast<std::ptrdiff_t>(from),
+                        stride_,
                         history_.begin() + static_cast<std::ptrdiff_t>(c * stride_));
         }
     }
@@ -72,7 +77,8 @@ void WallContacts::add_travel(double bound) {
     last_travel_ = bound;
 }
 
-bool WallContacts::is_due(std::uint64_t cycle, const ParticleState& particles,
+bool WallContacts::is_due(std::uint64_t cycle,
+                          const ParticleState& particles,
                           const WallBody& wall) {
     if (!started_) {
         return true;
@@ -83,15 +89,19 @@ bool WallContacts::is_due(std::uint64_t cycle, const ParticleState& particles,
     if (settings_.interval > 0) {
         return cycle >= last_cycle_ + static_cast<std::uint64_t>(settings_.interval);
     }
-    return near_clock_.expired(settings_.tolerance * particles.smallest_radius(), particles,
-                               wall.displacement(), !wall.is_turned());
+    return near_clock_.expired(settings_.tolerance * particles.smallest_radius(),
+                               particles,
+                               wall.displacement(),
+                               !wall.is_turned());
 }
 
-Renewal WallContacts::update(std::uint64_t cycle, const ParticleState& particles,
-                             const WallBody& wall, const Kernels& kernels) {
+Renewal WallContacts::update(std::uint64_t cycle,
+                             const ParticleState& particles,
+                             const WallBody& wall,
+                             const Kernels& kernels) {
     if (is_due(cycle, particles, wall)) {
-        if (!started_ || candidate_clock_.expired(settings_.slack, particles,
-                                                  wall.displacement(), !wall.is_turned())) {
+        if (!started_ || candidate_clock_.expired(
+                             settings_.slack, particles, wall.displacement(), !wall.is_turned())) {
             build_candidates(particles, wall);
         }
         renew(particles, wall, kernels);
@@ -127,7 +137,8 @@ void WallContacts::build_candidates(const ParticleState& particles, const WallBo
     candidate_clock_.restart(particles, wall.displacement());
 }
 
-void WallContacts::renew(const ParticleState& particles, const WallBody& wall,
+void WallContacts::renew(const ParticleState& particles,
+                         const WallBody& wall,
                          const Kernels& kernels) {
     const PairList old_near = std::move(near_);
     Column<Index> found(static_cast<std::size_t>(candidates_.count) + 8);
@@ -144,8 +155,8 @@ void WallContacts::renew(const ParticleState& particles, const WallBody& wall,
                std::pair(old_near.i[old], old_near.j[old]) < std::pair(particle, patch)) {
             ++old;
         }
-        const bool known = old < old_near.count && old_near.i[old] == particle &&
-                           old_near.j[old] == patch;
+        const bool known =
+            old < old_near.count && old_near.i[old] == particle && old_near.j[old] == patch;
         near_.append(particle, patch);
         fresh_.push_back(known ? 0 : 1);
     }
@@ -153,24 +164,28 @@ void WallContacts::renew(const ParticleState& particles, const WallBody& wall,
     object_count_ = 0;
     WallHits hits;
     for_each_particle(
-        near_.count, [&](Index k) { return near_.i[k]; },
+        near_.count,
+        [&](Index k) { return near_.i[k]; },
         [&](Index particle, Index first, Index last) {
             const double reach = (1.0 + settings_.tolerance) * particles.radius(particle);
-            wall.surface().resolve(wall.to_wall(particles.position(particle)), reach,
-                                   {near_.j.data() + first, last - first}, hits);
+            wall.surface().resolve(wall.to_wall(particles.position(particle)),
+                                   reach,
+                                   {near_.j.data() + first, last - first},
+                                   hits);
             object_count_ += static_cast<Index>(hits.count);
         });
 }
 
-void WallContacts::renew_soon(const ParticleState& particles, const WallBody& wall,
+void WallContacts::renew_soon(const ParticleState& particles,
+                              const WallBody& wall,
                               const Kernels& kernels) {
     soon_limit_ = settings_.soon_travel(last_travel_, particles.smallest_radius());
     soon_travel_ = 0.0;
     // Against a wall only the particle travels, relative to it: once the limit, not twice.
     const double extra = settings_.brute_force ? 1e300 : soon_limit_;
     found_.resize(near_.i.size());
-    const Index count = kernels.find_patches(
-        close_patches(particles, wall, near_, 1.0, extra, found_.data()));
+    const Index count =
+        kernels.find_patches(close_patches(particles, wall, near_, 1.0, extra, found_.data()));
     soon_.clear();
     soon_place_.assign(found_.begin(), found_.begin() + count);
     for (Index k = 0; k < count; ++k) {
@@ -180,11 +195,13 @@ void WallContacts::renew_soon(const ParticleState& particles, const WallBody& wa
     soon_objects_.clear();
     WallHits hits;
     for_each_particle(
-        soon_.count, [&](Index k) { return soon_.i[k]; },
+        soon_.count,
+        [&](Index k) { return soon_.i[k]; },
         [&](Index particle, Index first, Index last) {
             wall.surface().resolve(wall.to_wall(particles.position(particle)),
                                    particles.radius(particle) + soon_limit_,
-                                   {soon_.j.data() + first, last - first}, hits);
+                                   {soon_.j.data() + first, last - first},
+                                   hits);
             for (const WallHit& hit : hits.view()) {
                 soon_objects_.push_back({particle, wall.direction_to_space(hit.normal)});
             }
@@ -199,7 +216,8 @@ void WallContacts::reserve(std::size_t contacts) {
     const auto widen = [&](Column<double>& columns, std::size_t width) {
         Column<double> wider(wanted * width, 0.0);
         for (std::size_t c = 0; c < width && stride_ > 0; ++c) {
-            std::copy_n(columns.begin() + static_cast<std::ptrdiff_t>(c * stride_), stride_,
+            std::copy_n(columns.begin() + static_cast<std::ptrdiff_t>(c * stride_),
+                        stride_,
                         wider.begin() + static_cast<std::ptrdiff_t>(c * wanted));
         }
         columns = std::move(wider);
@@ -216,7 +234,8 @@ void WallContacts::reserve(std::size_t contacts) {
     stride_ = wanted;
 }
 
-bool WallContacts::find_touching(const ParticleState& particles, const WallBody& wall,
+bool WallContacts::find_touching(const ParticleState& particles,
+                                 const WallBody& wall,
                                  const Kernels& kernels) {
     std::swap(particle_, particle_before_);
     std::swap(patch_, patch_before_);
@@ -237,7 +256,8 @@ bool WallContacts::find_touching(const ParticleState& particles, const WallBody&
     std::vector<Index> patches;
     WallHits hits;
     for_each_particle(
-        found, [&](Index k) { return soon_.i[found_[k]]; },
+        found,
+        [&](Index k) { return soon_.i[found_[k]]; },
         [&](Index particle, Index first, Index last) {
             patches.clear();
             bool all_fresh = true;
@@ -246,7 +266,9 @@ bool WallContacts::find_touching(const ParticleState& particles, const WallBody&
                 all_fresh = all_fresh && fresh_[soon_place_[found_[k]]] != 0;
             }
             wall.surface().resolve(wall.to_wall(particles.position(particle)),
-                                   particles.radius(particle), patches, hits);
+                                   particles.radius(particle),
+                                   patches,
+                                   hits);
             const Index first_new = count_;
             changed = add_hits(particles, wall, particle, hits.view(), before) || changed;
             if (all_fresh && just_renewed_) {
@@ -261,8 +283,11 @@ bool WallContacts::find_touching(const ParticleState& particles, const WallBody&
     return changed || count_ != count_before_;
 }
 
-bool WallContacts::add_hits(const ParticleState& particles, const WallBody& wall, Index particle,
-                            std::span<const WallHit> hits, Index& before) {
+bool WallContacts::add_hits(const ParticleState& particles,
+                            const WallBody& wall,
+                            Index particle,
+                            std::span<const WallHit> hits,
+                            Index& before) {
     while (before < count_before_ && particle_before_[before] < particle) {
         ++before;
     }
@@ -298,7 +323,9 @@ bool WallContacts::add_hits(const ParticleState& particles, const WallBody& wall
     return changed;
 }
 
-void WallContacts::take_history(const Surface& surface, Index t, Index first_before,
+void WallContacts::take_history(const Surface& surface,
+                                Index t,
+                                Index first_before,
                                 Index last_before) {
     Index from = last_before;
     for (Index b = first_before; b < last_before && from == last_before; ++b) {
@@ -323,13 +350,17 @@ void WallContacts::take_history(const Surface& surface, Index t, Index first_bef
     }
 }
 
-void WallContacts::add_forces(ParticleState& particles, const WallBody& wall,
-                              const ContactTable& table, double timestep, bool records,
+void WallContacts::add_forces(ParticleState& particles,
+                              const WallBody& wall,
+                              const ContactTable& table,
+                              double timestep,
+                              bool records,
                               const Kernels& kernels) {
     if (records) {
         records_.resize(static_cast<std::size_t>(count_) * record_size);
     }
-    kernels.wall_pass(table.combination(), records,
+    kernels.wall_pass(table.combination(),
+                      records,
                       {.particles = particles.view(),
                        .laws = table.view(timestep),
                        .count = count_,
@@ -386,7 +417,11 @@ void WallContacts::save(Archive& archive, const std::string& name) const {
     archive.put(name + "/force", plain(force_));
     archive.put(name + "/records", plain(records_));
     archive.put(name + "/counters",
-                std::vector<std::uint64_t>{count_, stride_, last_cycle_, late_, object_count_,
+                std::vector<std::uint64_t>{count_,
+                                           stride_,
+                                           last_cycle_,
+                                           late_,
+                                           object_count_,
                                            static_cast<std::uint64_t>(just_renewed_)});
 }
 
@@ -414,8 +449,9 @@ void WallContacts::load(const Archive& archive, const std::string& name) {
     soon_objects_.clear();
     for (std::size_t k = 0; k < object_particles.size(); ++k) {
         soon_objects_.push_back({object_particles[k],
-                            {object_normals.at(3 * k), object_normals.at(3 * k + 1),
-                             object_normals.at(3 * k + 2)}});
+                                 {object_normals.at(3 * k),
+                                  object_normals.at(3 * k + 1),
+                                  object_normals.at(3 * k + 2)}});
     }
     const auto get = [&](Column<double>& column, const std::string& column_name) {
         const auto& from = archive.get<double>(name + "/" + column_name);

@@ -1,12 +1,12 @@
 /// Brings spheres into a scene: random sequential insertion, lattices, lists, imported files.
 #pragma once
 
+#include "core/scene.hpp"
+#include "core/walls/surface.hpp"
+
 #include <cstdint>
 #include <span>
 #include <vector>
-
-#include "core/scene.hpp"
-#include "core/walls/surface.hpp"
 
 namespace grainbench {
 
@@ -33,7 +33,8 @@ struct InsertionResult {
 
 /// Fills a scene. The same seed gives the same spheres on every machine.
 /// \param walls one surface per Scene::walls, at their starting position
-InsertionResult insert_particles(const Scene& scene, std::span<const Surface> walls,
+InsertionResult insert_particles(const Scene& scene,
+                                 std::span<const Surface> walls,
                                  std::uint64_t seed);
 
 }  // namespace grainbench

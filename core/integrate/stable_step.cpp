@@ -16,7 +16,9 @@ void StableStep::clear() {
     list_.clear();
 }
 
-void StableStep::add(Index slot, const double (&normal_squares)[3], double lever,
+void StableStep::add(Index slot,
+                     const double (&normal_squares)[3],
+                     double lever,
                      const StepStiffness& stiffness) {
     if (listed_[slot] == 0) {
         listed_[slot] = 1;
@@ -30,22 +32,29 @@ void StableStep::add(Index slot, const double (&normal_squares)[3], double lever
     }
 }
 
-void StableStep::add_pair(const ParticleState& particles, const ContactTable& table, Index i,
+void StableStep::add_pair(const ParticleState& particles,
+                          const ContactTable& table,
+                          Index i,
                           Index j) {
     const Vec3 apart = particles.position(j) - particles.position(i);
     const double square = dot(apart, apart);
     const double inverse = square > 0.0 ? 1.0 / square : 0.0;
-    const double squares[3] = {apart.x * apart.x * inverse, apart.y * apart.y * inverse,
-                               apart.z * apart.z * inverse};
+    const double squares[3] = {
+        apart.x * apart.x * inverse, apart.y * apart.y * inverse, apart.z * apart.z * inverse};
     const StepStiffness stiffness = table.step_stiffness(
         particles.species(i), particles.species(j), particles.radius(i), particles.radius(j));
     add(i, squares, particles.radius(i), stiffness);
     add(j, squares, particles.radius(j), stiffness);
 }
 
-void StableStep::add_wall(const ParticleState& particles, const ContactTable& table, Index i,
-                          Index wall_material, const Vec3& normal) {
-    add(i, {normal.x * normal.x, normal.y * normal.y, normal.z * normal.z}, particles.radius(i),
+void StableStep::add_wall(const ParticleState& particles,
+                          const ContactTable& table,
+                          Index i,
+                          Index wall_material,
+                          const Vec3& normal) {
+    add(i,
+        {normal.x * normal.x, normal.y * normal.y, normal.z * normal.z},
+        particles.radius(i),
         table.step_stiffness(particles.species(i), wall_material, particles.radius(i), 0.0));
 }
 
@@ -66,16 +75,19 @@ double StableStep::limit(const ParticleState& particles) const {
     return smallest;
 }
 
-double StableStep::single_contact_limit(const ParticleState& particles, const ContactTable& table,
+double StableStep::single_contact_limit(const ParticleState& particles,
+                                        const ContactTable& table,
                                         Index material_count) {
     StableStep one(1);
     double smallest = std::numeric_limits<double>::infinity();
     for (Index slot = 0; slot < particles.size(); ++slot) {
         for (Index material = 0; material < material_count; ++material) {
             one.clear();
-            one.add(0, {0.0, 0.0, 1.0}, particles.radius(slot),
-                    table.step_stiffness(particles.species(slot), material,
-                                         particles.radius(slot), 0.0));
+            one.add(0,
+                    {0.0, 0.0, 1.0},
+                    particles.radius(slot),
+                    table.step_stiffness(
+                        particles.species(slot), material, particles.radius(slot), 0.0));
             const double translation = one.sums_[2] * particles.inverse_mass(slot);
             const double rotation = one.sums_[3] * particles.inverse_inertia(slot);
             smallest = std::min(smallest, 1.0 / std::sqrt(std::max(translation, rotation)));
@@ -93,8 +105,8 @@ double kinematic_limit(const ParticleState& particles, const Vec3& gravity, doub
         const double speeds[3] = {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
         const double accelerations[3] = {std::abs(a.x), std::abs(a.y), std::abs(a.z)};
         for (int axis = 0; axis < 3; ++axis) {
-            const double root = std::sqrt(speeds[axis] * speeds[axis] +
-                                          2.0 * accelerations[axis] * epsilon);
+            const double root =
+                std::sqrt(speeds[axis] * speeds[axis] + 2.0 * accelerations[axis] * epsilon);
             if (root > 0.0) {
                 smallest = std::min(smallest, 2.0 * epsilon / (speeds[axis] + root));
             }

@@ -1,5 +1,5 @@
-/// Estimate of the stable step from sums over the contact objects of each particle, and the limits that
-/// the timestep schemes put on it.
+/// Estimate of the stable step from sums over the contact objects of each particle, and the limits
+/// that the timestep schemes put on it.
 ///
 /// Model    dt_i = min over axes of sqrt(m / k_i), sqrt(I / kappa_i)                        (1)
 ///          k_i = sum K_n n_i^2 + K_s (1 - n_i^2);  kappa_i = sum K_s R^2 (1 - n_i^2)       (2)
@@ -12,10 +12,10 @@
 /// Limits   diagonal estimate: all contact objects count, touching or not; no proof of stability.
 #pragma once
 
-#include <span>
-
 #include "core/contact/contact_table.hpp"
 #include "core/state/particle_state.hpp"
+
+#include <span>
 
 namespace grainbench {
 
@@ -27,8 +27,11 @@ public:
     /// Starts a new sum; then add every contact that counts. Costs nothing for particles without.
     void clear();
     void add_pair(const ParticleState& particles, const ContactTable& table, Index i, Index j);
-    void add_wall(const ParticleState& particles, const ContactTable& table, Index i,
-                  Index wall_material, const Vec3& normal);
+    void add_wall(const ParticleState& particles,
+                  const ContactTable& table,
+                  Index i,
+                  Index wall_material,
+                  const Vec3& normal);
 
     /// Smallest dt_i of (1) [s]; infinite without contacts.
     double limit(const ParticleState& particles) const;
@@ -36,13 +39,16 @@ public:
     /// dt_i of one particle [s]; infinite without contacts.
     double limit_of(const ParticleState& particles, Index slot) const;
 
-    /// Step of one lone contact of the stiffest and lightest kind [s]: where an automatic step starts
-    /// from while nothing is in contact.
-    static double single_contact_limit(const ParticleState& particles, const ContactTable& table,
+    /// Step of one lone contact of the stiffest and lightest kind [s]: where an automatic step
+    /// starts from while nothing is in contact.
+    static double single_contact_limit(const ParticleState& particles,
+                                       const ContactTable& table,
                                        Index material_count);
 
 private:
-    void add(Index slot, const double (&normal_squares)[3], double lever,
+    void add(Index slot,
+             const double (&normal_squares)[3],
+             double lever,
              const StepStiffness& stiffness);
 
     Column<double> sums_;  ///< six per particle: k_x, k_y, k_z, kappa_x, kappa_y, kappa_z

@@ -1,9 +1,9 @@
+#include "core/error.hpp"
+#include "core/kernels/kernels.hpp"
+
 #include <array>
 #include <cstdlib>
 #include <string>
-
-#include "core/error.hpp"
-#include "core/kernels/kernels.hpp"
 
 namespace grainbench {
 

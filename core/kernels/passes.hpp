@@ -1,5 +1,5 @@
-/// The hot passes, written once over lanes; included by one small file per instruction set, which sets
-/// GRAINBENCH_ISA. Loads, gathers and scatters live here, laws never see memory.
+/// The hot passes, written once over lanes; included by one small file per instruction set, which
+/// sets GRAINBENCH_ISA. Loads, gathers and scatters live here, laws never see memory.
 #pragma once
 
 #include "core/contact/law_table.hpp"
@@ -8,14 +8,14 @@
 
 namespace grainbench::GRAINBENCH_ISA {
 
-/// Elementwise over packets, so plain loops that the compiler turns into whole vectors. Eight running
-/// sums whatever the vector length keep the bits the same on every instruction set.
+/// Elementwise over packets, so plain loops that the compiler turns into whole vectors. Eight
+/// running sums whatever the vector length keep the bits the same on every instruction set.
 inline void move(MotionPass& pass) {
     const ParticleView& p = pass.particles;
     double fastest[8] = {};
     double sum[8] = {};
-    const double drift[8] = {pass.drift, pass.drift, pass.drift, 0.0,
-                             pass.drift, pass.drift, pass.drift, 0.0};
+    const double drift[8] = {
+        pass.drift, pass.drift, pass.drift, 0.0, pass.drift, pass.drift, pass.drift, 0.0};
     double* __restrict position = p.position;
     double* __restrict velocity = p.velocity;
     double* __restrict spin = p.spin;
@@ -25,9 +25,8 @@ inline void move(MotionPass& pass) {
     const double* __restrict inverse_inertia = p.inverse_inertia;
     for (std::size_t k = 0; k < p.padded_size; k += 8) {
         for (std::size_t l = 0; l < 8; ++l) {
-            const double v =
-                velocity[k + l] +
-                (force[k + l] * inverse_mass[k + l] + pass.gravity[l]) * pass.kick;
+            const double v = velocity[k + l] +
+                             (force[k + l] * inverse_mass[k + l] + pass.gravity[l]) * pass.kick;
             velocity[k + l] = v;
             position[k + l] += v * drift[l];
             spin[k + l] += torque[k + l] * inverse_inertia[k + l] * pass.kick;
@@ -78,7 +77,8 @@ inline Index find_patches(const ClosePatches& list) {
     const Vec3Of<Pack> centre{Pack(list.centre[0]), Pack(list.centre[1]), Pack(list.centre[2])};
     Vec3Of<Pack> row[3];
     for (int r = 0; r < 3; ++r) {
-        row[r] = {Pack(list.rotation[3 * r]), Pack(list.rotation[3 * r + 1]),
+        row[r] = {Pack(list.rotation[3 * r]),
+                  Pack(list.rotation[3 * r + 1]),
                   Pack(list.rotation[3 * r + 2])};
     }
     Index count = 0;
@@ -135,8 +135,11 @@ void complete_geometry(const Bodies& b, Pack timestep, Geometry<Pack>& g) {
 
 /// Folds the laws over a block. history_in and history_out hold Laws::history_size packs.
 template <class Laws>
-Load<Pack> apply_laws(const LawView& view, const Bodies& b, const Geometry<Pack>& g,
-                      const Pack* history_in, Pack* history_out) {
+Load<Pack> apply_laws(const LawView& view,
+                      const Bodies& b,
+                      const Geometry<Pack>& g,
+                      const Pack* history_in,
+                      Pack* history_out) {
     const Pack pair = b.material_i * Pack(static_cast<double>(view.material_count)) + b.material_j;
     Load<Pack> load;
     load.slipping = Mask::all();
@@ -161,13 +164,26 @@ Vec3Of<Pack> force_on_j(const Load<Pack>& load, const Geometry<Pack>& g) {
 }
 
 /// Writes the records of `valid` contacts.
-inline void keep_records(const Load<Pack>& load, const Geometry<Pack>& g, const Bodies& b,
-                         Index valid, double* records) {
+inline void keep_records(const Load<Pack>& load,
+                         const Geometry<Pack>& g,
+                         const Bodies& b,
+                         Index valid,
+                         double* records) {
     const Vec3Of<Pack> damping = load.normal_damping * g.normal + load.shear_damping;
-    const Pack columns[record_size] = {damping.x,    damping.y,    damping.z,   load.slip_work,
-                                       load.stored,  load.normal,  load.shear.x, load.shear.y,
-                                       load.shear.z, b.lever_i,    b.lever_j,   g.normal.x,
-                                       g.normal.y,   g.normal.z};
+    const Pack columns[record_size] = {damping.x,
+                                       damping.y,
+                                       damping.z,
+                                       load.slip_work,
+                                       load.stored,
+                                       load.normal,
+                                       load.shear.x,
+                                       load.shear.y,
+                                       load.shear.z,
+                                       b.lever_i,
+                                       b.lever_j,
+                                       g.normal.x,
+                                       g.normal.y,
+                                       g.normal.z};
     double lanes[width];
     for (Index field = 0; field < record_size; ++field) {
         store(columns[field], lanes);
@@ -263,8 +279,8 @@ void pair_pass(const PairPass& pass) {
             }
         }
         if constexpr (records) {
-            keep_records(load, g, b, valid,
-                         pass.records + static_cast<std::size_t>(first) * record_size);
+            keep_records(
+                load, g, b, valid, pass.records + static_cast<std::size_t>(first) * record_size);
         }
 
         const Vec3Of<Pack> force = force_on_j<Laws>(load, g);
@@ -344,7 +360,8 @@ void wall_pass(const WallPass& pass) {
         }
         if constexpr (contains(Laws::needs, Needs::velocity)) {
             b.velocity_i = i.vector(p.velocity);
-            b.velocity_j = {column(pass.wall_velocity, 0), column(pass.wall_velocity, 1),
+            b.velocity_j = {column(pass.wall_velocity, 0),
+                            column(pass.wall_velocity, 1),
                             column(pass.wall_velocity, 2)};
         }
         if constexpr (contains(Laws::needs, Needs::spin)) {
@@ -365,11 +382,12 @@ void wall_pass(const WallPass& pass) {
         const Load<Pack> load = apply_laws<Laws>(pass.laws, b, g, history_in, history_out);
         for (int h = 0; h < history_size; ++h) {
             store_some(history_out[h],
-                       pass.history_out + static_cast<std::size_t>(h) * pass.stride + first, valid);
+                       pass.history_out + static_cast<std::size_t>(h) * pass.stride + first,
+                       valid);
         }
         if constexpr (records) {
-            keep_records(load, g, b, valid,
-                         pass.records + static_cast<std::size_t>(first) * record_size);
+            keep_records(
+                load, g, b, valid, pass.records + static_cast<std::size_t>(first) * record_size);
         }
 
         const Vec3Of<Pack> force = force_on_j<Laws>(load, g);
@@ -395,7 +413,9 @@ using PassFunction = void (*)(const Pass&);
 
 /// Instances of a pass for every combination of laws, without records first.
 template <std::size_t... C>
-void run_pair_pass(std::size_t combination, bool records, const PairPass& pass,
+void run_pair_pass(std::size_t combination,
+                   bool records,
+                   const PairPass& pass,
                    std::index_sequence<C...>) {
     static constexpr PassFunction<PairPass> table[] = {&pair_pass<LawSetOf<C>, false>...,
                                                        &pair_pass<LawSetOf<C>, true>...};
@@ -403,7 +423,9 @@ void run_pair_pass(std::size_t combination, bool records, const PairPass& pass,
 }
 
 template <std::size_t... C>
-void run_wall_pass(std::size_t combination, bool records, const WallPass& pass,
+void run_wall_pass(std::size_t combination,
+                   bool records,
+                   const WallPass& pass,
                    std::index_sequence<C...>) {
     static constexpr PassFunction<WallPass> table[] = {&wall_pass<LawSetOf<C>, false>...,
                                                        &wall_pass<LawSetOf<C>, true>...};

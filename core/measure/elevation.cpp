@@ -6,7 +6,8 @@ namespace grainbench {
 
 namespace {
 
-double mean_height(const ParticleState& particles, const std::vector<Index>& slots,
+double mean_height(const ParticleState& particles,
+                   const std::vector<Index>& slots,
                    const Vec3& up) {
     double sum = 0.0;
     for (const Index slot : slots) {
@@ -57,7 +58,11 @@ void Elevation::sample(const ParticleState& particles, double t) {
 
 void Elevation::save(Archive& archive) const {
     archive.put("elevation/numbers",
-                std::vector<double>{origin_, interval_, sum_, last_, average_.value_or(none),
+                std::vector<double>{origin_,
+                                    interval_,
+                                    sum_,
+                                    last_,
+                                    average_.value_or(none),
                                     entrainment_time_.value_or(none)});
     archive.put("elevation/counts", std::vector<std::uint64_t>{complete_, count_});
 }

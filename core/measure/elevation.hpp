@@ -1,16 +1,16 @@
-/// Height of one group of particles over another, its running average, and the time at which the upper
-/// group first rises above the lower one (entrainment).
+/// Height of one group of particles over another, its running average, and the time at which the
+/// upper group first rises above the lower one (entrainment).
 ///
 /// Model    e = mean height of `upper` - mean height of `lower`; height along -g, or z without g
 /// Source   physics reference 7.4; in metres here, where the example prints centimetres.
 /// Limits   the average is over samples, which are equally spaced in cycles, not in time.
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "core/archive.hpp"
 #include "core/state/particle_state.hpp"
+
+#include <optional>
+#include <vector>
 
 namespace grainbench {
 
@@ -42,7 +42,7 @@ public:
 private:
     std::vector<Index> upper_, lower_;
     Vec3 up_;
-    double origin_ = 0.0;    ///< time at which the present intervals began
+    double origin_ = 0.0;  ///< time at which the present intervals began
     double interval_ = 0.0;
     std::uint64_t complete_ = 0;  ///< intervals completed since origin_
     double sum_ = 0.0;

@@ -31,7 +31,8 @@ Vec3 spring_force_of(const double* record) {
 
 }  // namespace
 
-std::pair<double, double> kinetic_energies(const ParticleState& particles, const Vec3& gravity,
+std::pair<double, double> kinetic_energies(const ParticleState& particles,
+                                           const Vec3& gravity,
                                            double timestep) {
     double translation = 0.0;
     double rotation = 0.0;
@@ -59,8 +60,7 @@ void EnergyLedger::add_work(const LedgerView& view, double lead, double duration
         const Index j = view.pairs.objects().j[touching[t]];
         const Velocities vi = velocities_at(p, view.gravity, i, lead);
         const Velocities vj = velocities_at(p, view.gravity, j, lead);
-        const Vec3 spin =
-            record[record_lever_i] * vi.angular + record[record_lever_j] * vj.angular;
+        const Vec3 spin = record[record_lever_i] * vi.angular + record[record_lever_j] * vj.angular;
         const Vec3 relative = vj.linear - vi.linear - cross(spin, normal_of(record));
         dashpot_ -= dot(damping_of(record), relative) * duration;  // (2)
         spring_work_ += dot(spring_force_of(record), relative) * duration;
@@ -118,14 +118,15 @@ Energies EnergyLedger::energies(const LedgerView& view, double timestep) const {
     e.dissipated_dashpot = dashpot_;
     e.wall_work = wall_work_;
     e.numerical = initial_elastic_ - spring_work_ - e.elastic - slip_;  // (3)
-    e.residual = initial_ + wall_work_ - e.kinetic_translation - e.kinetic_rotation -
-                 e.potential - e.elastic - slip_ - dashpot_ - e.numerical;  // (1)
+    e.residual = initial_ + wall_work_ - e.kinetic_translation - e.kinetic_rotation - e.potential -
+                 e.elastic - slip_ - dashpot_ - e.numerical;  // (1)
     return e;
 }
 
 void EnergyLedger::save(Archive& archive) const {
-    archive.put("energy", std::vector<double>{initial_, initial_elastic_, slip_, dashpot_,
-                                              spring_work_, wall_work_});
+    archive.put(
+        "energy",
+        std::vector<double>{initial_, initial_elastic_, slip_, dashpot_, spring_work_, wall_work_});
 }
 
 void EnergyLedger::load(const Archive& archive) {

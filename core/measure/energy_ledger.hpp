@@ -1,4 +1,5 @@
-/// Energy ledger of one realisation: what walls put in, what is stored, what is dissipated and by what.
+/// Energy ledger of one realisation: what walls put in, what is stored, what is dissipated and by
+/// what.
 ///
 /// Model    kinetic + potential + elastic + slip + dashpot + numerical = initial + wall work  (1)
 ///          work of a force F over a cycle: F . [(v- + v) dt_old + (v + v+) dt_new] / 4       (2)
@@ -9,15 +10,15 @@
 ///          full-step value [m/s]; dt_old, dt_new steps before and after [s].
 /// Signs    wall work is positive where the walls put energy into the particles.
 /// Limits   `numerical` is energy that the integrator loses, mostly where contacts open and close
-///          within a step: a spring that acts for a whole step has not been deformed for a whole step.
-///          It falls with the square of the step. `residual`, what (1) leaves, is round-off: each side
-///          is summed on its own, so that a wrong force, lever or wall velocity shows.
+///          within a step: a spring that acts for a whole step has not been deformed for a whole
+///          step. It falls with the square of the step. `residual`, what (1) leaves, is round-off:
+///          each side is summed on its own, so that a wrong force, lever or wall velocity shows.
 #pragma once
-
-#include <span>
 
 #include "core/contact/pair_contacts.hpp"
 #include "core/contact/wall_contacts.hpp"
+
+#include <span>
 
 namespace grainbench {
 
@@ -72,7 +73,8 @@ private:
 };
 
 /// Kinetic energies at the full step that ends a step of this length [J].
-std::pair<double, double> kinetic_energies(const ParticleState& particles, const Vec3& gravity,
+std::pair<double, double> kinetic_energies(const ParticleState& particles,
+                                           const Vec3& gravity,
                                            double timestep);
 
 }  // namespace grainbench

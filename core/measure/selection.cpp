@@ -7,7 +7,9 @@ namespace grainbench {
 
 namespace {
 
-bool is_species(const Scene& scene, const ParticleState& particles, Index slot,
+bool is_species(const Scene& scene,
+                const ParticleState& particles,
+                Index slot,
                 const std::optional<std::string>& name) {
     return !name || scene.particles.species[particles.species(slot)].name == *name;
 }
@@ -23,7 +25,8 @@ double coordinate(const Vec3& p, Axis axis) {
 
 }  // namespace
 
-std::vector<Index> slots_of_group(const Scene& scene, const Group& group,
+std::vector<Index> slots_of_group(const Scene& scene,
+                                  const Group& group,
                                   const ParticleState& particles) {
     std::vector<Index> slots;
     for (const Index slot : particles.slots_by_id()) {
@@ -74,8 +77,8 @@ std::vector<std::int32_t> current_layer_numbers(const Layers& layers,
     for (Index slot = 0; slot < particles.size(); ++slot) {
         const double z = coordinate(particles.position(slot), layers.axis);
         const double number = height > 0.0 ? std::floor((high - z) / height) + 1.0 : 1.0;
-        numbers[slot] = static_cast<std::int32_t>(
-            std::min(number, static_cast<double>(layers.relayer_count)));
+        numbers[slot] =
+            static_cast<std::int32_t>(std::min(number, static_cast<double>(layers.relayer_count)));
     }
     return numbers;
 }

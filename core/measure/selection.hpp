@@ -1,15 +1,16 @@
 /// Which particles belong to the scene's groups, layers and traces; decided once, after insertion.
 #pragma once
 
-#include <vector>
-
 #include "core/scene.hpp"
 #include "core/state/particle_state.hpp"
+
+#include <vector>
 
 namespace grainbench {
 
 /// Slots of a group, ids ascending.
-std::vector<Index> slots_of_group(const Scene& scene, const Group& group,
+std::vector<Index> slots_of_group(const Scene& scene,
+                                  const Group& group,
                                   const ParticleState& particles);
 
 /// By slot: 1 + index of the first group that holds it, 0 if none.

@@ -19,7 +19,8 @@ void CandidateFinder::sort_into_cells(const ParticleState& particles, double edg
         low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
         high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
     }
-    // A stray particle far away must not make the grid huge: coarsen until it is about one cell each.
+    // A stray particle far away must not make the grid huge: coarsen until it is about one cell
+    // each.
     const Vec3 size = high - low;
     const auto cells_along = [&](double length) {
         return static_cast<std::int64_t>(std::min(length / edge, 1e6)) + 1;
@@ -52,7 +53,8 @@ void CandidateFinder::sort_into_cells(const ParticleState& particles, double edg
     for (Index s = 0; s < n; ++s) {
         const Index place = next[cell_of_[s]]++;
         slot_[place] = s;
-        std::copy_n(particles.positions().data() + 4 * static_cast<std::size_t>(s), 4,
+        std::copy_n(particles.positions().data() + 4 * static_cast<std::size_t>(s),
+                    4,
                     packet_.data() + 4 * static_cast<std::size_t>(place));
     }
 }
@@ -114,7 +116,9 @@ void CandidateFinder::order_pairs(Index particle_count, PairList& pairs) {
     pairs.pad();
 }
 
-void CandidateFinder::find(const ParticleState& particles, double scale, double extra,
+void CandidateFinder::find(const ParticleState& particles,
+                           double scale,
+                           double extra,
                            PairList& pairs) {
     found_.clear();
     if (particles.size() > 1) {

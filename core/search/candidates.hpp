@@ -1,10 +1,10 @@
 /// Candidate pairs from a grid of cells, in lexicographic order of (i, j), i < j.
 #pragma once
 
-#include <vector>
-
 #include "core/state/aligned.hpp"
 #include "core/state/particle_state.hpp"
+
+#include <vector>
 
 namespace grainbench {
 
@@ -34,9 +34,9 @@ struct PairList {
     }
 };
 
-/// Finds all pairs whose distance is at most scale * (R_i + R_j) + extra. The grid suits the smallest
-/// particle; a pair is found by its larger particle, which looks as many cells around as it needs, so
-/// size ratios cost little. Work space is kept between calls.
+/// Finds all pairs whose distance is at most scale * (R_i + R_j) + extra. The grid suits the
+/// smallest particle; a pair is found by its larger particle, which looks as many cells around as
+/// it needs, so size ratios cost little. Work space is kept between calls.
 class CandidateFinder {
 public:
     void find(const ParticleState& particles, double scale, double extra, PairList& pairs);
@@ -57,8 +57,8 @@ private:
     Grid grid_;
     std::vector<Index> cell_start_;
     std::vector<std::uint32_t> cell_of_;
-    std::vector<Index> slot_;       ///< by place in the sorted order
-    Column<double> packet_;         ///< positions in the sorted order
+    std::vector<Index> slot_;  ///< by place in the sorted order
+    Column<double> packet_;    ///< positions in the sorted order
     std::vector<std::pair<Index, Index>> found_;
     std::vector<Index> row_start_;
 };

@@ -27,7 +27,9 @@ double TravelClock::measure(const ParticleState& particles, const Vec3& shift) c
     return std::sqrt(largest);
 }
 
-bool TravelClock::expired(double limit, const ParticleState& particles, const Vec3& shift,
+bool TravelClock::expired(double limit,
+                          const ParticleState& particles,
+                          const Vec3& shift,
                           bool exact) {
     if (travel_ <= limit) {
         return false;

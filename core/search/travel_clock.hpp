@@ -1,12 +1,12 @@
-/// Says when particles may have moved too far, relative to a moving frame (the bed's mean motion, or a
-/// wall), for a list of neighbours to be trusted. A running bound from the largest speed costs a few
-/// operations per step; only when it expires are the positions themselves compared.
+/// Says when particles may have moved too far, relative to a moving frame (the bed's mean motion,
+/// or a wall), for a list of neighbours to be trusted. A running bound from the largest speed costs
+/// a few operations per step; only when it expires are the positions themselves compared.
 #pragma once
-
-#include <string>
 
 #include "core/archive.hpp"
 #include "core/state/particle_state.hpp"
+
+#include <string>
 
 namespace grainbench {
 

@@ -1,16 +1,16 @@
 /// Vectors of doubles with operators, over Highway, for the files that are compiled once per
-/// instruction set. Each such file defines GRAINBENCH_ISA as its own namespace and is built with the
-/// flags of its set; nothing here may be included anywhere else. Only +, -, *, /, sqrt and comparisons
-/// are used, all exactly rounded, so every instruction set gives the same bits.
+/// instruction set. Each such file defines GRAINBENCH_ISA as its own namespace and is built with
+/// the flags of its set; nothing here may be included anywhere else. Only +, -, *, /, sqrt and
+/// comparisons are used, all exactly rounded, so every instruction set gives the same bits.
 #pragma once
 
 #ifndef GRAINBENCH_ISA
 #error "core/simd/lanes.hpp is for the per-instruction-set files of core/kernels only"
 #endif
 
-#include <hwy/highway.h>
-
 #include "core/types.hpp"
+
+#include <hwy/highway.h>
 
 namespace grainbench::GRAINBENCH_ISA {
 
@@ -83,8 +83,9 @@ class Rows {
 public:
     /// Reads `width` indices.
     explicit Rows(const Index* rows)
-        : offsets_(hn::PromoteTo(Offsets(), hn::LoadU(hn::Rebind<std::int32_t, Tag>(),
-                                                      reinterpret_cast<const std::int32_t*>(rows)))),
+        : offsets_(hn::PromoteTo(Offsets(),
+                                 hn::LoadU(hn::Rebind<std::int32_t, Tag>(),
+                                           reinterpret_cast<const std::int32_t*>(rows)))),
           packet_offsets_(hn::ShiftLeft<2>(offsets_)) {}
 
     /// Component of the packet of each row.

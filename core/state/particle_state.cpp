@@ -7,8 +7,8 @@ namespace grainbench {
 
 namespace {
 
-/// Order of the spheres along x within columns along y and z of cells of the largest diameter, so that
-/// neighbours in space are near in memory.
+/// Order of the spheres along x within columns along y and z of cells of the largest diameter, so
+/// that neighbours in space are near in memory.
 std::vector<Index> spatial_order(std::span<const Sphere> spheres, double cell) {
     std::vector<Index> order(spheres.size());
     std::iota(order.begin(), order.end(), Index{0});
@@ -16,8 +16,7 @@ std::vector<Index> spatial_order(std::span<const Sphere> spheres, double cell) {
         const Vec3& p = spheres[n].position;
         return std::array{std::floor(p.z / cell), std::floor(p.y / cell), std::floor(p.x / cell)};
     };
-    std::stable_sort(order.begin(), order.end(),
-                     [&](Index a, Index b) { return key(a) < key(b); });
+    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return key(a) < key(b); });
     return order;
 }
 
@@ -58,10 +57,11 @@ ParticleState::ParticleState(std::span<const Sphere> spheres, std::span<const do
     slots_by_id_.resize(size_);
     for (const Sphere& sphere : spheres) {
         largest_radius_ = std::max(largest_radius_, sphere.radius);
-        smallest_radius_ = smallest_radius_ == 0.0 ? sphere.radius
-                                                   : std::min(smallest_radius_, sphere.radius);
+        smallest_radius_ =
+            smallest_radius_ == 0.0 ? sphere.radius : std::min(smallest_radius_, sphere.radius);
     }
-    const std::vector<Index> order = spatial_order(spheres, 2.0 * std::max(largest_radius_, 1e-300));
+    const std::vector<Index> order =
+        spatial_order(spheres, 2.0 * std::max(largest_radius_, 1e-300));
     for (Index slot = 0; slot < size_; ++slot) {
         const Index origin = order[slot];
         const Sphere& s = spheres[origin];
@@ -71,8 +71,8 @@ ParticleState::ParticleState(std::span<const Sphere> spheres, std::span<const do
         put_packet(velocity_, slot, s.velocity, 1.0 / mass);
         put_packet(spin_, slot, s.angular_velocity, static_cast<double>(s.species));
         put_packet(inverse_mass_, slot, {1.0 / mass, 1.0 / mass, 1.0 / mass}, 0.0);
-        put_packet(inverse_inertia_, slot, {inverse_inertia, inverse_inertia, inverse_inertia},
-                   0.0);
+        put_packet(
+            inverse_inertia_, slot, {inverse_inertia, inverse_inertia, inverse_inertia}, 0.0);
         mass_[slot] = mass;
         species_[slot] = s.species;
         id_[slot] = static_cast<std::int64_t>(origin) + 1;
@@ -81,9 +81,14 @@ ParticleState::ParticleState(std::span<const Sphere> spheres, std::span<const do
 }
 
 ParticleView ParticleState::view() {
-    return {position_.data(),     velocity_.data(),        spin_.data(),
-            force_.data(),        torque_.data(),          inverse_mass_.data(),
-            inverse_inertia_.data(), position_.size()};
+    return {position_.data(),
+            velocity_.data(),
+            spin_.data(),
+            force_.data(),
+            torque_.data(),
+            inverse_mass_.data(),
+            inverse_inertia_.data(),
+            position_.size()};
 }
 
 void ParticleState::scale_inertia(Index slot, double factor) {

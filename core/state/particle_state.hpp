@@ -1,15 +1,15 @@
 /// State of the particles of one realisation, in columns of packets of four doubles
-/// (share/doc/decisions/0002-packets-of-four.md). Slots are in spatial order at the start; ids are in
-/// order of insertion, from 1.
+/// (share/doc/decisions/0002-packets-of-four.md). Slots are in spatial order at the start; ids are
+/// in order of insertion, from 1.
 #pragma once
-
-#include <span>
 
 #include "core/archive.hpp"
 #include "core/insertion/insert.hpp"
 #include "core/kernels/kernels.hpp"
 #include "core/scene.hpp"
 #include "core/state/aligned.hpp"
+
+#include <span>
 
 namespace grainbench {
 

@@ -1,13 +1,13 @@
 /// Motions of walls as a scene describes them, and their velocity at a time.
 #pragma once
 
+#include "core/describe.hpp"
+#include "core/types.hpp"
+
 #include <string_view>
 #include <tuple>
 #include <variant>
 #include <vector>
-
-#include "core/describe.hpp"
-#include "core/types.hpp"
 
 namespace grainbench {
 
@@ -36,8 +36,8 @@ struct SinusoidMotion {
 
     static constexpr auto fields() {
         return std::tuple{
-            required(&SinusoidMotion::velocity, "velocity", "m/s", any_number(),
-                     "velocity amplitude"),
+            required(
+                &SinusoidMotion::velocity, "velocity", "m/s", any_number(), "velocity amplitude"),
             required(&SinusoidMotion::frequency, "frequency", "Hz", positive(), "frequency"),
             field(&SinusoidMotion::phase, "phase", "rad", any_number(), "phase at the start")};
     }
@@ -68,11 +68,17 @@ struct TableMotion {
 
     static constexpr auto fields() {
         return std::tuple{
-            field(&TableMotion::direction, "direction", "1", any_number(),
+            field(&TableMotion::direction,
+                  "direction",
+                  "1",
+                  any_number(),
                   "direction, of any length but 0"),
             required(&TableMotion::times, "times", "s", at_least(0.0), "ascending, from 0"),
             required(&TableMotion::speeds, "speeds", "m/s", any_number(), "speed at each time"),
-            field(&TableMotion::repeat, "repeat", "", any_number(),
+            field(&TableMotion::repeat,
+                  "repeat",
+                  "",
+                  any_number(),
                   "repeat from the start after the last time; else keep the last speed")};
     }
 };
@@ -87,16 +93,23 @@ struct SmoothedSquareMotion {
 
     static constexpr auto fields() {
         return std::tuple{
-            field(&SmoothedSquareMotion::direction, "direction", "1", any_number(),
+            field(&SmoothedSquareMotion::direction,
+                  "direction",
+                  "1",
+                  any_number(),
                   "direction, of any length but 0"),
             required(&SmoothedSquareMotion::frequency, "frequency", "Hz", positive(), "frequency"),
-            required(&SmoothedSquareMotion::amplitude, "amplitude", "m/s", at_least(0.0),
-                     "peak speed")};
+            required(
+                &SmoothedSquareMotion::amplitude, "amplitude", "m/s", at_least(0.0), "peak speed")};
     }
 };
 
-using WallMotion = std::variant<FixedMotion, ConstantMotion, SinusoidMotion, RotationMotion,
-                                TableMotion, SmoothedSquareMotion>;
+using WallMotion = std::variant<FixedMotion,
+                                ConstantMotion,
+                                SinusoidMotion,
+                                RotationMotion,
+                                TableMotion,
+                                SmoothedSquareMotion>;
 
 /// Velocity of a wall at one instant.
 struct WallVelocity {

@@ -1,12 +1,13 @@
-/// Shapes of walls as a scene describes them. core/walls/surface.hpp makes contact geometry of them.
+/// Shapes of walls as a scene describes them. core/walls/surface.hpp makes contact geometry of
+/// them.
 #pragma once
+
+#include "core/describe.hpp"
+#include "core/types.hpp"
 
 #include <string>
 #include <variant>
 #include <vector>
-
-#include "core/describe.hpp"
-#include "core/types.hpp"
 
 namespace grainbench {
 
@@ -21,7 +22,10 @@ struct Plane {
         return std::tuple{
             required(&Plane::point, "point", "m", any_number(), "a point of the plane"),
             required(&Plane::normal, "normal", "1", any_number(), "normal, of any length but 0"),
-            field(&Plane::view_size, "view_size", "m", positive(),
+            field(&Plane::view_size,
+                  "view_size",
+                  "m",
+                  positive(),
                   "edge of the square drawn in frames, about the point")};
     }
 };
@@ -82,7 +86,10 @@ struct Cylinder {
             field(&Cylinder::axis, "axis", "1", any_number(), "direction from base to top"),
             required(&Cylinder::radius, "radius", "m", positive(), "radius"),
             required(&Cylinder::height, "height", "m", positive(), "height along the axis"),
-            field(&Cylinder::part, "part", "", any_number(),
+            field(&Cylinder::part,
+                  "part",
+                  "",
+                  any_number(),
                   "faces that exist: all, side, caps, base (one cap) or open_top (side and base)")};
     }
 };
@@ -103,14 +110,21 @@ struct FacetedCylinder {
             field(&FacetedCylinder::axis, "axis", "1", any_number(), "direction from base to top"),
             required(&FacetedCylinder::radius, "radius", "m", positive(), "radius of the vertices"),
             required(&FacetedCylinder::height, "height", "m", positive(), "height along the axis"),
-            field(&FacetedCylinder::resolution, "resolution", "1", positive(),
+            field(&FacetedCylinder::resolution,
+                  "resolution",
+                  "1",
+                  positive(),
                   "longest edge of the end circles over the radius"),
-            field(&FacetedCylinder::part, "part", "", any_number(),
+            field(&FacetedCylinder::part,
+                  "part",
+                  "",
+                  any_number(),
                   "faces that exist: all, side, caps, base (one cap) or open_top (side and base)")};
     }
 };
 
-/// Triangles from an STL or VTP file. io fills `vertices` and `triangles` before the scene is built.
+/// Triangles from an STL or VTP file. io fills `vertices` and `triangles` before the scene is
+/// built.
 struct MeshFile {
     static constexpr std::string_view key = "mesh";
     std::string path;
@@ -118,7 +132,10 @@ struct MeshFile {
 
     static constexpr auto fields() {
         return std::tuple{
-            required(&MeshFile::path, "path", "", any_number(),
+            required(&MeshFile::path,
+                     "path",
+                     "",
+                     any_number(),
                      "STL or VTP file, relative to the scene"),
             field(&MeshFile::scale, "scale", "m", positive(), "length of one unit of the file")};
     }
@@ -134,10 +151,12 @@ struct Triangles {
     std::vector<std::vector<std::int64_t>> triangles;
 
     static constexpr auto fields() {
-        return std::tuple{
-            required(&Triangles::vertices, "vertices", "m", any_number(), "points"),
-            required(&Triangles::triangles, "triangles", "", at_least(0),
-                     "three indices into vertices for each triangle")};
+        return std::tuple{required(&Triangles::vertices, "vertices", "m", any_number(), "points"),
+                          required(&Triangles::triangles,
+                                   "triangles",
+                                   "",
+                                   at_least(0),
+                                   "three indices into vertices for each triangle")};
     }
 };
 

@@ -70,7 +70,8 @@ Vec3 WallBody::to_space(const Vec3& point) const {
 
 double WallBody::relative_speed_bound(const Vec3& fastest, const Vec3& frame) const {
     const Vec3 offset = velocity_.linear - frame;
-    const Vec3 bound{fastest.x + std::abs(offset.x), fastest.y + std::abs(offset.y),
+    const Vec3 bound{fastest.x + std::abs(offset.x),
+                     fastest.y + std::abs(offset.y),
                      fastest.z + std::abs(offset.z)};
     const double turning = norm(velocity_.angular);
     // The farthest point of the surface from the centre of rotation moves fastest.
@@ -81,13 +82,22 @@ double WallBody::relative_speed_bound(const Vec3& fastest, const Vec3& frame) co
 
 void WallBody::save(Archive& archive, const std::string& name) const {
     archive.put(name + "/pose",
-                std::vector<double>{displacement_.x, displacement_.y, displacement_.z,
-                                    quaternion_[0], quaternion_[1], quaternion_[2], quaternion_[3],
+                std::vector<double>{displacement_.x,
+                                    displacement_.y,
+                                    displacement_.z,
+                                    quaternion_[0],
+                                    quaternion_[1],
+                                    quaternion_[2],
+                                    quaternion_[3],
                                     turned_ ? 1.0 : 0.0});
     archive.put(name + "/motion_start", motion_start_);
     archive.put(name + "/velocity",
-                std::vector<double>{velocity_.linear.x, velocity_.linear.y, velocity_.linear.z,
-                                    velocity_.angular.x, velocity_.angular.y, velocity_.angular.z});
+                std::vector<double>{velocity_.linear.x,
+                                    velocity_.linear.y,
+                                    velocity_.linear.z,
+                                    velocity_.angular.x,
+                                    velocity_.angular.y,
+                                    velocity_.angular.z});
     archive.put(name + "/rotation", std::vector<double>(rotation_, rotation_ + 9));
 }
 

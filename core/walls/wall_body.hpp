@@ -1,12 +1,12 @@
 /// A wall on the move: its surface in its own frame, its pose in space, its motion.
 #pragma once
 
-#include <string>
-
 #include "core/archive.hpp"
 #include "core/scene.hpp"
 #include "core/walls/motion.hpp"
 #include "core/walls/surface.hpp"
+
+#include <string>
 
 namespace grainbench {
 
@@ -48,8 +48,8 @@ public:
     Vec3 to_space(const Vec3& point) const;
     Vec3 direction_to_space(const Vec3& direction) const;
 
-    /// Bound on the speed of any particle relative to any point of the wall, from a bound on its speed
-    /// per axis relative to `frame` [m/s].
+    /// Bound on the speed of any particle relative to any point of the wall, from a bound on its
+    /// speed per axis relative to `frame` [m/s].
     double relative_speed_bound(const Vec3& fastest, const Vec3& frame) const;
 
     void save(Archive& archive, const std::string& name) const;

@@ -8,11 +8,11 @@
 /// Limits   the same numbers hold for every size of particle.
 #pragma once
 
-#include <string_view>
-#include <tuple>
-
 #include "core/contact/law.hpp"
 #include "core/describe.hpp"
+
+#include <string_view>
+#include <tuple>
 
 namespace grainbench {
 
@@ -27,7 +27,10 @@ struct ConstantStiffness {
         static constexpr auto fields() {
             return std::tuple{
                 required(&Params::normal, "normal", "N/m", positive(), "normal stiffness k_n"),
-                field(&Params::shear, "shear", "N/m", at_least(0.0),
+                field(&Params::shear,
+                      "shear",
+                      "N/m",
+                      at_least(0.0),
                       "shear stiffness k_s; needed by friction")};
         }
 

@@ -14,11 +14,11 @@
 ///          stick. Stores F_s^2 / (2 k_s); sliding dissipates the rest.
 #pragma once
 
-#include <string_view>
-#include <tuple>
-
 #include "core/contact/law.hpp"
 #include "core/describe.hpp"
+
+#include <string_view>
+#include <tuple>
 
 namespace grainbench {
 
@@ -30,7 +30,10 @@ struct CoulombFriction {
         double coefficient = 0.0;  ///< [1]
 
         static constexpr auto fields() {
-            return std::tuple{required(&Params::coefficient, "coefficient", "1", at_least(0.0),
+            return std::tuple{required(&Params::coefficient,
+                                       "coefficient",
+                                       "1",
+                                       at_least(0.0),
                                        "friction coefficient mu")};
         }
 
@@ -51,8 +54,11 @@ struct CoulombFriction {
     }
 
     template <class T>
-    static void apply(const Values<T>& v, const Geometry<T>& g, const T* history_in,
-                      T* history_out, Load<T>& load) {
+    static void apply(const Values<T>& v,
+                      const Geometry<T>& g,
+                      const T* history_in,
+                      T* history_out,
+                      Load<T>& load) {
         const Vec3Of<T> old{history_in[0], history_in[1], history_in[2]};
         Vec3Of<T> carried = old - dot(old, g.normal) * g.normal;  // (3)
         carried -= (g.mean_spin * g.timestep) * cross(carried, g.normal);

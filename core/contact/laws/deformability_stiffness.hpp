@@ -9,11 +9,11 @@
 /// Limits   a modulus of the bulk kind, not Hertz's: the force is linear in the overlap.
 #pragma once
 
-#include <string_view>
-#include <tuple>
-
 #include "core/contact/law.hpp"
 #include "core/describe.hpp"
+
+#include <string_view>
+#include <tuple>
 
 namespace grainbench {
 
@@ -29,9 +29,15 @@ struct DeformabilityStiffness {
         static constexpr auto fields() {
             return std::tuple{
                 required(&Params::modulus, "modulus", "Pa", positive(), "effective modulus E*"),
-                field(&Params::ratio, "ratio", "1", at_least(0.0),
+                field(&Params::ratio,
+                      "ratio",
+                      "1",
+                      at_least(0.0),
                       "normal over shear stiffness; 0 means no shear stiffness"),
-                field(&Params::scale, "scale", "1", positive(),
+                field(&Params::scale,
+                      "scale",
+                      "1",
+                      positive(),
                       "factor on both stiffnesses, to soften a stiff material")};
         }
 

@@ -10,11 +10,11 @@
 /// Limits   equals linear_spring to round-off for contacts found in time. Stores F_n^2 / (2 k_n).
 #pragma once
 
-#include <string_view>
-#include <tuple>
-
 #include "core/contact/law.hpp"
 #include "core/describe.hpp"
+
+#include <string_view>
+#include <tuple>
 
 namespace grainbench {
 
@@ -39,7 +39,10 @@ struct IncrementalSpring {
     static constexpr void resolve(const Params&, double*) {}
 
     template <class T>
-    static void apply(const Values<T>&, const Geometry<T>& g, const T* history_in, T* history_out,
+    static void apply(const Values<T>&,
+                      const Geometry<T>& g,
+                      const T* history_in,
+                      T* history_out,
                       Load<T>& load) {
         const T increment = load.stiffness_n * (g.entry * g.opening_speed * g.timestep);
         load.normal = larger(T{}, history_in[0] - increment);  // (1)

@@ -9,11 +9,11 @@
 ///          incremental_spring where detection is relaxed. Stores F_n^2 / (2 k_n).
 #pragma once
 
-#include <string_view>
-#include <tuple>
-
 #include "core/contact/law.hpp"
 #include "core/describe.hpp"
+
+#include <string_view>
+#include <tuple>
 
 namespace grainbench {
 

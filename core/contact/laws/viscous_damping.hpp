@@ -8,16 +8,16 @@
 /// Signs    F_dn compression positive, as F_n; F_ds acts on j.
 /// History  none.
 /// Limits   restitution of a normal impact, phi = beta / sqrt(1 - beta^2): exp(-pi phi) in modes
-///          0 and 2; exp(-phi (pi - 2 arcsin beta)) in modes 1 and 3. The velocity lags half a step,
-///          which shrinks the stable step by sqrt(1 + beta^2) - beta. Only dissipates.
+///          0 and 2; exp(-phi (pi - 2 arcsin beta)) in modes 1 and 3. The velocity lags half a
+///          step, which shrinks the stable step by sqrt(1 + beta^2) - beta. Only dissipates.
 #pragma once
+
+#include "core/contact/law.hpp"
+#include "core/describe.hpp"
 
 #include <cstdint>
 #include <string_view>
 #include <tuple>
-
-#include "core/contact/law.hpp"
-#include "core/describe.hpp"
 
 namespace grainbench {
 
@@ -32,11 +32,17 @@ struct ViscousDamping {
 
         static constexpr auto fields() {
             return std::tuple{
-                required(&Params::normal, "normal", "1", between(0.0, 1.0),
+                required(&Params::normal,
+                         "normal",
+                         "1",
+                         between(0.0, 1.0),
                          "normal damping ratio beta_n"),
-                field(&Params::shear, "shear", "1", between(0.0, 1.0),
-                      "shear damping ratio beta_s"),
-                field(&Params::mode, "mode", "", between(0, 3),
+                field(
+                    &Params::shear, "shear", "1", between(0.0, 1.0), "shear damping ratio beta_s"),
+                field(&Params::mode,
+                      "mode",
+                      "",
+                      between(0, 3),
                       "0 full; 1 no tension; 2 shear dashpot cut on slip; 3 both")};
         }
 
