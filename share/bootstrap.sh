@@ -5,9 +5,8 @@ set -euo pipefail
 
 packages=(
   g++ cmake ninja-build
-  libeigen3-dev libhwy-dev libtbb-dev                      # core
+  libeigen3-dev libhwy-dev                                 # core
   libvtk9-dev libopenmpi-dev libhdf5-dev nlohmann-json3-dev libvalijson-dev  # io
-  libosmesa6-dev                                           # render
   libcli11-dev libspdlog-dev libfmt-dev                    # cli
   libgtest-dev libbenchmark-dev                            # tests
 )
