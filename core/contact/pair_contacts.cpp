@@ -60,8 +60,10 @@ bool PairContacts::is_due(std::uint64_t cycle,
     if (settings_.interval > 0) {
         return cycle >= last_cycle_ + static_cast<std::uint64_t>(settings_.interval);
     }
-    return near_clock_.expired(
-        settings_.tolerance * particles.smallest_radius(), particles, bed_shift, true);
+    return near_clock_.expired(settings_.near_travel(soon_limit_, particles.smallest_radius()),
+                               particles,
+                               bed_shift,
+                               true);
 }
 
 Renewal PairContacts::update(std::uint64_t cycle,

@@ -27,6 +27,14 @@ struct SearchSettings {
         return std::max(soon_steps * last_step, 1e-3 * smallest_radius);
     }
 
+    /// Travel of the smallest particle that the list of contact objects allows [m]: its tolerance,
+    /// less what the soon list looks ahead, so that a contact counts for the step before it can
+    /// act. Where steps are that long (very soft contacts), half the tolerance.
+    double near_travel(double soon_limit, double smallest_radius) const {
+        const double whole = tolerance * smallest_radius;
+        return std::max(whole - soon_limit, 0.5 * whole);
+    }
+
     /// Steps at the present speed that a list of soon contacts should last. More steps mean fewer
     /// renewals, longer lists, and a smaller automatic step (share/doc/decisions/0004).
     static constexpr double soon_steps = 2.0;

@@ -89,7 +89,7 @@ bool WallContacts::is_due(std::uint64_t cycle,
     if (settings_.interval > 0) {
         return cycle >= last_cycle_ + static_cast<std::uint64_t>(settings_.interval);
     }
-    return near_clock_.expired(settings_.tolerance * particles.smallest_radius(),
+    return near_clock_.expired(settings_.near_travel(soon_limit_, particles.smallest_radius()),
                                particles,
                                wall.displacement(),
                                !wall.is_turned());
