@@ -5,15 +5,10 @@
 
 namespace grainbench {
 
-namespace {
-
-/// (3) of the header.
-double corrected(double stiffness, double damping) {
+double corrected_stiffness(double stiffness, double damping) {
     const double factor = std::sqrt(1.0 + damping * damping) - damping;
-    return stiffness / (factor * factor);
+    return stiffness / (factor * factor);  // (3)
 }
-
-}  // namespace
 
 StableStep::StableStep(Index particle_count) : sums_(6 * static_cast<std::size_t>(particle_count)) {}
 
@@ -23,8 +18,8 @@ void StableStep::clear() {
 
 void StableStep::add(Index slot, const Vec3& normal, double lever,
                      const ContactStiffness& stiffness) {
-    const double k_n = corrected(stiffness.normal, stiffness.normal_damping);
-    const double k_s = corrected(stiffness.shear, stiffness.shear_damping);
+    const double k_n = corrected_stiffness(stiffness.normal, stiffness.normal_damping);
+    const double k_s = corrected_stiffness(stiffness.shear, stiffness.shear_damping);
     const double squares[3] = {normal.x * normal.x, normal.y * normal.y, normal.z * normal.z};
     double* sum = sums_.data() + 6 * static_cast<std::size_t>(slot);
     for (int axis = 0; axis < 3; ++axis) {

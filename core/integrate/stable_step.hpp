@@ -19,6 +19,9 @@
 
 namespace grainbench {
 
+/// Stiffness that a step must bear with a dashpot of this damping ratio, (3) [N/m].
+double corrected_stiffness(double stiffness, double damping);
+
 class StableStep {
 public:
     StableStep() = default;
