@@ -11,7 +11,7 @@ int export_command(const ExportArguments& arguments, const Streams& streams) {
     if (target.empty()) {
         // A trailing slash would put the ending into the run folder.
         target = arguments.run.has_filename() ? arguments.run : arguments.run.parent_path();
-        target += "-" + std::string(name_of(arguments.format));
+        target += fmt::format("-{}", name_of(arguments.format));
     }
     const std::size_t count = io::export_run(arguments.run, target, arguments.format);
     streams.err << fmt::format("{} files written to {}\n", count, target.string());

@@ -140,8 +140,17 @@ private:
 
     std::string usage_error(const CLI::ParseError& error) const {
         const CLI::App& app = app_in_question();
-        std::string text = std::string("grainbench: ") + error.what() + "\n";
-        for (const std::string& argument : app_.remaining(true)) {
+        const std::vector<std::string> extras = app_.remaining(true);
+        const bool is_command = &app == &app_ && !extras.empty();
+        std::string text = "grainbench: ";
+        if (is_command) {
+            const char* kind = extras.front().starts_with("-") ? "option" : "command";
+            text += std::string("there is no ") + kind + " '" + extras.front() + "'";
+        } else {
+            text += error.what();
+        }
+        text += "\n";
+        for (const std::string& argument : extras) {
             const std::string_view nearest = nearest_argument(app, argument);
             if (!nearest.empty()) {
                 text +=
