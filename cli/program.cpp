@@ -5,13 +5,18 @@
 #include "io/json/problems.hpp"
 
 #include "cli/build_info.hpp"
+#include "cli/check_command.hpp"
+#include "cli/doctor_command.hpp"
 #include "cli/exit_codes.hpp"
+#include "cli/export_command.hpp"
 #include "cli/run_command.hpp"
+#include "cli/schema_command.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <new>
 
 namespace grainbench::cli {
@@ -30,6 +35,10 @@ public:
         app_.require_subcommand(1);
         app_.footer("Data goes to stdout, talk to stderr. `grainbench COMMAND --help` tells more.");
         add_run();
+        add_check();
+        add_export();
+        add_doctor();
+        add_schema();
     }
 
     /// \param arguments in reverse order, as CLI11 wants them
@@ -61,10 +70,60 @@ private:
         sub->add_flag("--quiet", run_.quiet, "No talk but errors");
         sub->add_flag("--json", run_.json, "Print the manifest of the run");
         sub->add_flag("--history-csv", run_.history_csv, "Write history.csv as well");
-        sub->footer(
-            "Example:\n  grainbench run presets/scenes/bne-quick.json -o out/first"
-            " --set /contact/friction/coefficient=0.3");
-        sub->callback([this] { command_ = [this] { return run_command(run_, streams_); }; });
+        finish(*sub,
+               "grainbench run presets/scenes/bne-quick.json -o out/first"
+               " --set /contact/friction/coefficient=0.3",
+               [this] { return run_command(run_, streams_); });
+    }
+
+    void add_check() {
+        CLI::App* sub = app_.add_subcommand("check", "Say what a scene asks for and will cost");
+        sub->add_option("SCENE", check_.scene, "Scene file (JSON)")->required();
+        add_overrides(*sub, check_.overrides);
+        sub->add_flag("--json", check_.json, "Print the numbers and the effective scene as JSON");
+        finish(*sub,
+               "grainbench check presets/scenes/bne.json --set /timestep/safety_factor=0.5",
+               [this] { return check_command(check_, streams_); });
+    }
+
+    void add_export() {
+        CLI::App* sub =
+            app_.add_subcommand("export", "Write the frames of a run in another format");
+        sub->add_option("RUN_DIR", export_.run, "Run folder")->required();
+        std::map<std::string, io::ExportFormat> formats;
+        for (const auto& [format, name] : EnumNames<io::ExportFormat>::value) {
+            formats.emplace(name, format);
+        }
+        sub->add_option("--format", export_.format, "vtu, vtp or csv")
+            ->required()
+            ->transform(CLI::CheckedTransformer(formats))
+            ->type_name("FORMAT");
+        sub->add_option("-o,--output", export_.folder, "Folder; RUN_DIR-FORMAT if absent");
+        finish(*sub, "grainbench export out/bne-quick --format csv -o out/tables", [this] {
+            return export_command(export_, streams_);
+        });
+    }
+
+    void add_doctor() {
+        CLI::App* sub = app_.add_subcommand("doctor", "Print versions, processor and libraries");
+        finish(*sub, "grainbench doctor", [this] { return doctor_command({}, streams_); });
+    }
+
+    void add_schema() {
+        CLI::App* sub = app_.add_subcommand("schema", "Print what a file may hold");
+        sub->add_option("KIND", schema_kind_, "Kind of file: scene")
+            ->required()
+            ->check(CLI::IsMember({"scene"}));
+        sub->add_flag("--markdown", schema_.markdown, "A page to read instead of JSON Schema");
+        finish(*sub, "grainbench schema scene > scene.schema.json", [this] {
+            return schema_command(schema_, streams_);
+        });
+    }
+
+    /// Gives a command its example and what it does.
+    void finish(CLI::App& sub, const std::string& example, std::function<int()> command) {
+        sub.footer("Example:\n  " + example);
+        sub.callback([this, command = std::move(command)] { command_ = command; });
     }
 
     static void add_overrides(CLI::App& sub, std::vector<std::string>& overrides) {
@@ -81,8 +140,17 @@ private:
 
     std::string usage_error(const CLI::ParseError& error) const {
         const CLI::App& app = app_in_question();
-        std::string text = std::string("grainbench: ") + error.what() + "\n";
-        for (const std::string& argument : app_.remaining(true)) {
+        const std::vector<std::string> extras = app_.remaining(true);
+        const bool is_command = &app == &app_ && !extras.empty();
+        std::string text = "grainbench: ";
+        if (is_command) {
+            const char* kind = extras.front().starts_with("-") ? "option" : "command";
+            text += std::string("there is no ") + kind + " '" + extras.front() + "'";
+        } else {
+            text += error.what();
+        }
+        text += "\n";
+        for (const std::string& argument : extras) {
             const std::string_view nearest = nearest_argument(app, argument);
             if (!nearest.empty()) {
                 text +=
@@ -115,6 +183,10 @@ private:
     CLI::App app_;
     std::function<int()> command_;
     RunArguments run_;
+    CheckArguments check_;
+    ExportArguments export_;
+    SchemaArguments schema_;
+    std::string schema_kind_;
 };
 
 int exit_code_of(ErrorKind kind) {

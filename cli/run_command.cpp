@@ -161,17 +161,18 @@ public:
           threads_(arguments.threads > 0 ? arguments.threads
                                          : std::max(1U, std::thread::hardware_concurrency())),
           scene_(io::read_scene(arguments.scene, arguments.overrides)),
+          // Before the folder, so that a scene that cannot be built leaves none behind.
+          simulations_(build_simulations(scene_, threads_)),
           folder_path_(arguments.folder.empty() ? "out" / arguments.scene.stem()
                                                 : arguments.folder),
           folder_(folder_path_,
                   io::write_scene(scene_, std::filesystem::absolute(arguments.scene).parent_path()),
                   scene_,
-                  static_cast<std::size_t>(scene_.realisations.count),
+                  simulations_.size(),
                   {.resume = arguments.resume, .history_csv = arguments.history_csv}) {}
 
     int execute() {
         talk(warning_text());
-        simulations_ = build_simulations(scene_, threads_);
         resume();
         talk(insertion_text(scene_, simulations_));
         for (std::size_t n = 0; n < simulations_.size(); ++n) {
@@ -223,13 +224,12 @@ private:
             observers.push_back(&observer);
         }
         const EnsembleOptions options{.threads = threads_, .slice = slice_for(simulations_)};
-        const Interrupt interrupt;
         try {
             Progress progress(streams_, arguments_.quiet, fraction_done(simulations_));
             costs_ = run_ensemble(simulations_,
                                   observers,
                                   options,
-                                  interrupt.requested(),
+                                  interrupt_.requested(),
                                   [&](const EnsembleProgress& p) { progress.update(p); });
         } catch (const RealisationError& error) {
             if (error.kind() != ErrorKind::unstable) {
@@ -323,10 +323,11 @@ private:
     const Streams& streams_;
     Clock::time_point start_ = Clock::now();
     unsigned threads_;
+    Interrupt interrupt_;
     Scene scene_;
+    std::vector<Simulation> simulations_;
     std::filesystem::path folder_path_;
     io::RunFolder folder_;
-    std::vector<Simulation> simulations_;
     std::vector<TimedObserver> observers_;
     std::vector<std::uint64_t> first_cycles_;
     std::vector<RealisationCost> costs_;

@@ -104,22 +104,28 @@ std::string elevation_text(const io::Manifest& manifest) {
 
 }  // namespace
 
+std::string particles_text(const Scene& scene,
+                           std::size_t particles,
+                           std::span<const InsertionReport> reports) {
+    std::string text = fmt::format("{} particles", particles);
+    for (std::size_t k = 0; k < reports.size(); ++k) {
+        text += fmt::format("{} {} placed {} of {} asked",
+                            k == 0 ? ":" : ",",
+                            name_of_entry(scene.particles.insertion[k]),
+                            reports[k].placed,
+                            reports[k].asked);
+    }
+    return text + (scene.particles.removal.empty() ? "" : ", then slices removed");
+}
+
 std::string insertion_text(const Scene& scene, std::span<const Simulation> simulations) {
     std::string text;
     for (const Simulation& simulation : simulations) {
-        text += fmt::format("realisation {} (seed {}): {} particles",
-                            simulation.index() + 1,
-                            scene.realisations.seed + simulation.index(),
-                            simulation.particle_count());
-        const auto reports = simulation.insertion_reports();
-        for (std::size_t k = 0; k < reports.size(); ++k) {
-            text += fmt::format("{} {} placed {} of {} asked",
-                                k == 0 ? ":" : ",",
-                                name_of_entry(scene.particles.insertion[k]),
-                                reports[k].placed,
-                                reports[k].asked);
-        }
-        text += scene.particles.removal.empty() ? "\n" : ", then slices removed\n";
+        text += fmt::format(
+            "realisation {} (seed {}): {}\n",
+            simulation.index() + 1,
+            scene.realisations.seed + simulation.index(),
+            particles_text(scene, simulation.particle_count(), simulation.insertion_reports()));
     }
     return text;
 }

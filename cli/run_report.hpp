@@ -11,8 +11,12 @@
 
 namespace grainbench::cli {
 
-/// One line for each realisation: particles, and of each entry of particles.insertion what was
-/// asked for and what was placed.
+/// "1279 particles: small placed 1211 of 100000 asked, ..."
+std::string particles_text(const Scene& scene,
+                           std::size_t particles,
+                           std::span<const InsertionReport> reports);
+
+/// One line for each realisation.
 std::string insertion_text(const Scene& scene, std::span<const Simulation> simulations);
 
 /// \param output_share fraction of the stepping time that went into writing [1]

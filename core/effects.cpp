@@ -216,6 +216,17 @@ std::vector<Effect> effects_of(const Scene& scene) {
     return EffectList(scene).take();
 }
 
+std::vector<std::string> laws_of(const Contact& contact) {
+    std::vector<std::string> laws{key_of(contact.stiffness), key_of(contact.normal)};
+    if (contact.friction) {
+        laws.push_back(key_of(*contact.friction));
+    }
+    if (contact.damping) {
+        laws.push_back(key_of(*contact.damping));
+    }
+    return laws;
+}
+
 std::vector<IdleEffect> idle_effects(const Scene& scene) {
     return IdleList(scene).take();
 }

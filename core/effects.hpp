@@ -17,6 +17,9 @@ struct Effect {
 /// In the order of the scene; an effect named in several places is listed for each.
 std::vector<Effect> effects_of(const Scene& scene);
 
+/// Keys of the laws that act in a contact, in the order in which they are evaluated.
+std::vector<std::string> laws_of(const Contact& contact);
+
 /// An effect that is on but changes nothing.
 struct IdleEffect {
     std::string pointer;

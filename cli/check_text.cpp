@@ -1,0 +1,97 @@
+#include "core/simulation.hpp"
+
+#include "cli/check_report.hpp"
+#include "cli/progress.hpp"
+#include "cli/run_report.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+namespace grainbench::cli {
+namespace {
+
+std::string stage_text(const io::StageCheck& stage, std::size_t number) {
+    std::string text = fmt::format("stage {} {}: {:.4g} s, about {:.3g} cycles\n",
+                                   number,
+                                   stage.name,
+                                   stage.duration,
+                                   stage.expected_cycles);
+    text += fmt::format("  laws      {}; {} numbers of history per contact\n",
+                        fmt::join(stage.laws, ", "),
+                        stage.scales.history_size);
+    if (stage.scales.times.empty()) {
+        return text;
+    }
+    const SingleContactLimit& limit = stage.scales.limit;
+    text += fmt::format("  timestep  {}, at most {:.3g} s\n", stage.scheme, stage.planned_timestep);
+    text += fmt::format(
+        "  limit     {:.3g} s for a single contact, {} on {}: {} with m {:.3e} kg, R {:.3g} m, "
+        "k_n {:.3g} N/m, k_s {:.3g} N/m (damping counted in)\n",
+        limit.timestep,
+        limit.species,
+        limit.partner,
+        limit.rotation_rules ? "sqrt(I / (k_s R^2))" : "sqrt(m / k_n)",
+        limit.mass,
+        limit.radius,
+        limit.stiffness_n,
+        limit.stiffness_s);
+    const ContactTime& shortest = stage.scales.times.front();
+    text += fmt::format(
+        "  contact   {:.3g} s at least, {} with {}: pi sqrt(m_c / k_n) with m_c {:.3e} kg, k_n "
+        "{:.3g} N/m",
+        shortest.duration,
+        shortest.first,
+        shortest.second,
+        shortest.mass,
+        shortest.stiffness);
+    if (stage.steps_per_contact) {
+        text += fmt::format("; {:.1f} steps", *stage.steps_per_contact);
+    }
+    return text + "\n";
+}
+
+std::string detection_text(const io::DetectionCheck& detection) {
+    std::string text =
+        fmt::format("detection: {}; tolerance {:.3g} m", detection.trigger, detection.tolerance);
+    if (detection.surest_approach) {
+        text += fmt::format("; approaches up to {:.3g} m/s are found in time, {:.3g} m/s occurs",
+                            *detection.surest_approach,
+                            detection.fastest_now);
+    }
+    return text + "\n";
+}
+
+}  // namespace
+
+std::string check_text(const Scene& scene, const io::CheckReport& report) {
+    std::string text = scene.title.empty() ? "" : scene.title + "\n";
+    text += "effects on:\n";
+    for (const Effect& effect : report.effects) {
+        text += fmt::format("  {:<24} {}\n", effect.name, effect.pointer);
+    }
+    text += fmt::format("realisation 1 of {} (seed {}): {}\n",
+                        report.realisations,
+                        scene.realisations.seed,
+                        particles_text(scene, report.particles, report.insertion));
+    for (std::size_t s = 0; s < report.stages.size(); ++s) {
+        text += stage_text(report.stages[s], s + 1);
+    }
+    text += detection_text(report.detection);
+    text +=
+        fmt::format("trial: {:.1f} M particle-steps/s on one thread, from {} cycles in {:.2g} s\n",
+                    1e-6 * report.trial.particle_steps_per_second,
+                    report.trial.cycles,
+                    report.trial.wall_seconds);
+    text += fmt::format("memory: about {:.0f} MB\n", std::ceil(1e-6 * report.memory_bytes));
+    text += fmt::format("time: about {} on {} threads, if it goes on as in the trial\n",
+                        duration_text(report.expected_seconds),
+                        report.threads);
+    for (const std::string& warning : report.warnings) {
+        text += "warning: " + warning + "\n";
+    }
+    return text;
+}
+
+}  // namespace grainbench::cli

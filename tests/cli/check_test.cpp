@@ -1,0 +1,120 @@
+#include "io/atomic_file.hpp"
+#include "io/json/scene_json.hpp"
+
+#include "cli/check_report.hpp"
+
+#include "tests/cli/invoke.hpp"
+#include "tests/cli/scenes.hpp"
+#include "tests/unit/io/temporary_folder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace grainbench::cli {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::Contains;
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+class CheckCommand : public testing::Test {
+protected:
+    CheckCommand() { io::write_file(folder_ / "cup.json", cup_scene); }
+
+    Answer check(std::vector<std::string> more) const {
+        std::vector<std::string> arguments{"check", (folder_ / "cup.json").string()};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return invoke(arguments);
+    }
+
+    std::vector<std::string> warnings(std::vector<std::string> more) const {
+        more.push_back("--json");
+        return json::parse(check(std::move(more)).out).at("warnings");
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(CheckCommand, PrintsWhatTheSceneTurnsOnAndCosts) {
+    const Answer answer = check({});
+    EXPECT_EQ(answer.code, 0) << answer.err;
+    EXPECT_THAT(answer.err, IsEmpty());
+    EXPECT_THAT(
+        answer.out,
+        AllOf(ContainsRegex("coulomb_friction +/contact/friction\n"),
+              ContainsRegex("sinusoid +/stages/1/motions/0/motion\n"),
+              HasSubstr("realisation 1 of 2 (seed 7): 144 particles: bead placed 144 of 144"),
+              HasSubstr("numbers of history per contact"),
+              HasSubstr("sqrt(I / (k_s R^2))"),
+              ContainsRegex("\nmemory: about [0-9]+ MB\n"),
+              ContainsRegex("\ntime: about [0-9:]+ on [0-9]+ threads")));
+    EXPECT_EQ(folder_.count(), 1U);  // writes nothing
+}
+
+TEST_F(CheckCommand, JsonHoldsTheNumbersAndAnEffectiveSceneThatReadsBack) {
+    const Answer answer =
+        check({"--json", "--set", "/timestep={\"type\":\"fixed\",\"value\":1e-5}"});
+    ASSERT_EQ(answer.code, 0) << answer.err;
+    const json data = json::parse(answer.out);
+    const Scene scene = io::parse_scene(data.at("scene").dump(), folder_.path(), "effective");
+    EXPECT_EQ(std::get<FixedTimestep>(scene.timestep).value, 1e-5);
+    EXPECT_EQ(data.at("particles"), 144);
+    const json& stage = data.at("stages").at(0);
+    EXPECT_NEAR(stage.at("expected_cycles"), 1e4, 1.0);  // 0.1 s; one more where division rounds up
+    // Two beads of 1.69646e-4 kg: pi sqrt(8.4823e-5 / 1e4) = 2.8934e-4 s; the mass has six digits.
+    EXPECT_NEAR(stage.at("contact_times").at(0).at("duration"), 2.8934e-4, 1e-8);
+    EXPECT_NEAR(stage.at("steps_per_contact"), 28.934, 1e-3);
+    EXPECT_GT(data.at("trial").at("particle_steps_per_second"), 0.0);
+    EXPECT_GT(data.at("memory_bytes"), 0.0);
+    EXPECT_GT(data.at("expected_seconds"), 0.0);
+}
+
+TEST_F(CheckCommand, WarnsOfWhatCannotAct) {
+    EXPECT_THAT(warnings({"--set", "/contact/friction/coefficient=0"}),
+                Contains(AllOf(HasSubstr("/contact/friction"), HasSubstr("coefficient is 0"))));
+    EXPECT_THAT(warnings({"--set", "/stages/1/motions/0/motion/velocity=[0,0,0]"}),
+                Contains(HasSubstr("/stages/1/motions/0/motion")));
+    EXPECT_THAT(warnings({"--set", "/output/frame_interval=3"}),
+                Contains(HasSubstr("/output/frame_interval")));
+    EXPECT_THAT(warnings({}), Not(Contains(HasSubstr("does nothing"))));
+}
+
+TEST_F(CheckCommand, WarnsOfFewStepsInAContact) {
+    EXPECT_THAT(warnings({"--set", "/timestep={\"type\":\"fixed\",\"value\":3e-5}"}),
+                Contains(HasSubstr("9.6 steps in the shortest contact")));
+    EXPECT_THAT(warnings({"--set", "/timestep={\"type\":\"fixed\",\"value\":1.5e-5}"}), IsEmpty());
+    EXPECT_THAT(warnings({"--set", "/timestep={\"type\":\"fixed\",\"value\":1e-3}"}),
+                Contains(HasSubstr("above the single-contact limit")));
+}
+
+TEST_F(CheckCommand, WarnsOfSearchIntervalsThatFindContactsLate) {
+    const std::string fixed = "/timestep={\"type\":\"fixed\",\"value\":1e-5}";
+    // The tolerance of 1.875e-4 m in N steps of 1e-5 s: 1.875 m/s for N = 10, 0.01875 for 1000.
+    EXPECT_THAT(warnings({"--set",
+                          fixed,
+                          "--set",
+                          "/detection/trigger={\"type\":\"interval\","
+                          "\"cycles\":1000}"}),
+                Contains(HasSubstr("approaches above 0.019 m/s may be found late")));
+    EXPECT_THAT(warnings({"--set",
+                          fixed,
+                          "--set",
+                          "/detection/trigger={\"type\":\"interval\","
+                          "\"cycles\":10}"}),
+                IsEmpty());
+}
+
+TEST_F(CheckCommand, BadSceneExitsWithTwo) {
+    const Answer answer = check({"--set", "/stages=[]"});
+    EXPECT_EQ(answer.code, 2);
+    EXPECT_THAT(answer.out, IsEmpty());
+    EXPECT_THAT(answer.err, HasSubstr("/stages"));
+}
+
+}  // namespace
+}  // namespace grainbench::cli
