@@ -278,13 +278,14 @@ void pair_pass(const PairPass& pass) {
         if constexpr (contains(Laws::needs, Needs::spin)) {
             // Contact point and force give -r_i n x F on i and -r_j n x F on j.
             const Vec3Of<Pack> turning = cross(g.normal, force);
+            double packets_j[4 * width];
             store_packets(b.lever_i * turning, packets);
+            store_packets(b.lever_j * turning, packets_j);
+            // Contact by contact, as the forces: a particle may be j of one lane and i of another, and
+            // the order of its sum must not depend on how many lanes there are.
             for (Index l = 0; l < valid; ++l) {
                 add_packet(p.torque, row_i[l], packets + 4 * l, -1.0);
-            }
-            store_packets(b.lever_j * turning, packets);
-            for (Index l = 0; l < valid; ++l) {
-                add_packet(p.torque, row_j[l], packets + 4 * l, -1.0);
+                add_packet(p.torque, row_j[l], packets_j + 4 * l, -1.0);
             }
         }
         for (Index l = 0; l < valid; ++l) {
