@@ -103,7 +103,7 @@ void Engine::begin_stage(const Stage& stage) {
         table_ = next;
     }
     if (stage.timestep) {
-        scheme_ = *stage.timestep;
+        change_scheme(*stage.timestep);
     }
     // Where inertia is scaled, gravity must pull at the real mass: it joins the forces.
     gravity_ = std::holds_alternative<ScaledTimestep>(scheme_) ? Vec3{} : scene_gravity_;
@@ -120,6 +120,23 @@ void Engine::begin_stage(const Stage& stage) {
         }
     }
     update_stable_step();
+}
+
+void Engine::change_scheme(const Timestep& next) {
+    const bool was_scaled = std::holds_alternative<ScaledTimestep>(scheme_);
+    const bool is_scaled = std::holds_alternative<ScaledTimestep>(next);
+    scheme_ = next;
+    if (!started_ || was_scaled == is_scaled) {
+        return;
+    }
+    // The forces of the last step wait for their second half kick: weight is among them exactly
+    // where inertia is scaled.
+    particles_.add_weight(is_scaled ? scene_gravity_ : -scene_gravity_);
+    if (was_scaled) {
+        for (Index slot = 0; slot < particles_.size(); ++slot) {
+            particles_.scale_inertia(slot, 1.0);
+        }
+    }
 }
 
 void Engine::step() {

@@ -73,6 +73,7 @@ private:
         return {particles_, pairs_, walls_, wall_contacts_, gravity_};
     }
 
+    void change_scheme(const Timestep& next);
     double choose_timestep() const;
     void move(double timestep);
     void find_contacts();

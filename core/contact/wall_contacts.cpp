@@ -51,6 +51,18 @@ std::vector<T> plain(const Column<T>& column) {
     return {column.begin(), column.end()};
 }
 
+/// The first `count` rows of `width` columns of `stride`. Rows past them are left over from earlier
+/// steps and are no part of the state.
+template <class T>
+std::vector<T> rows(const Column<T>& columns, std::size_t width, std::size_t stride, Index count) {
+    std::vector<T> result;
+    for (std::size_t c = 0; c < width; ++c) {
+        const auto first = columns.begin() + static_cast<std::ptrdiff_t>(c * stride);
+        result.insert(result.end(), first, first + count);
+    }
+    return result;
+}
+
 }  // namespace
 
 WallContacts::WallContacts(const SearchSettings& settings, int history_size)
@@ -406,23 +418,23 @@ void WallContacts::save(Archive& archive, const std::string& name) const {
     }
     archive.put(name + "/object_particle", object_particles);
     archive.put(name + "/object_normal", object_normals);
-    archive.put(name + "/particle", plain(particle_));
-    archive.put(name + "/patch", plain(patch_));
-    archive.put(name + "/normal", plain(normal_));
-    archive.put(name + "/distance", plain(distance_));
-    archive.put(name + "/wall_velocity", plain(wall_velocity_));
-    archive.put(name + "/wall_spin", plain(wall_spin_));
-    archive.put(name + "/entered", plain(entered_));
-    archive.put(name + "/history", plain(history_));
-    archive.put(name + "/force", plain(force_));
+    const auto put_rows = [&](const auto& columns, std::size_t width, const char* column_name) {
+        archive.put(name + "/" + column_name, rows(columns, width, stride_, count_));
+    };
+    put_rows(particle_, 1, "particle");
+    put_rows(patch_, 1, "patch");
+    put_rows(normal_, 3, "normal");
+    put_rows(distance_, 1, "distance");
+    put_rows(wall_velocity_, 3, "wall_velocity");
+    put_rows(wall_spin_, 1, "wall_spin");
+    put_rows(entered_, 1, "entered");
+    put_rows(history_, static_cast<std::size_t>(history_size_), "history");
+    put_rows(force_, 3, "force");
     archive.put(name + "/records", plain(records_));
-    archive.put(name + "/counters",
-                std::vector<std::uint64_t>{count_,
-                                           stride_,
-                                           last_cycle_,
-                                           late_,
-                                           object_count_,
-                                           static_cast<std::uint64_t>(just_renewed_)});
+    archive.put(
+        name + "/counters",
+        std::vector<std::uint64_t>{
+            count_, last_cycle_, late_, object_count_, static_cast<std::uint64_t>(just_renewed_)});
 }
 
 void WallContacts::load(const Archive& archive, const std::string& name) {
@@ -474,11 +486,11 @@ void WallContacts::load(const Archive& archive, const std::string& name) {
     get(records_, "records");
     const auto& counters = archive.get<std::uint64_t>(name + "/counters");
     count_ = static_cast<Index>(counters.at(0));
-    stride_ = counters.at(1);
-    last_cycle_ = counters.at(2);
-    late_ = counters.at(3);
-    object_count_ = static_cast<Index>(counters.at(4));
-    just_renewed_ = counters.at(5) != 0;
+    stride_ = count_;
+    last_cycle_ = counters.at(1);
+    late_ = counters.at(2);
+    object_count_ = static_cast<Index>(counters.at(3));
+    just_renewed_ = counters.at(4) != 0;
     started_ = true;
 }
 

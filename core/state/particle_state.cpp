@@ -114,6 +114,12 @@ void ParticleState::load_weight(const Vec3& gravity) {
     }
 }
 
+void ParticleState::add_weight(const Vec3& gravity) {
+    for (Index slot = 0; slot < size_; ++slot) {
+        put_packet(force_, slot, force(slot) + mass_[slot] * gravity, 0.0);
+    }
+}
+
 void ParticleState::save(Archive& archive) const {
     archive.put("particles/position", plain(position_));
     archive.put("particles/velocity", plain(velocity_));

@@ -64,6 +64,9 @@ public:
     /// Sets the force to weight, before contacts are added.
     void load_weight(const Vec3& gravity);
 
+    /// Adds weight to the force.
+    void add_weight(const Vec3& gravity);
+
     void save(Archive& archive) const;
     void load(const Archive& archive);
 

@@ -58,8 +58,8 @@ const ContactTime& time_of(const ContactScales& scales, const char* first, const
 TEST(ContactScales, ContactTimesAreThoseOfTheHalfOscillation) {
     const Scene scene = example();
     const ContactScales scales = contact_scales(scene, scene.contact, one_of_each());
-    // m_c from masses of 1.69646e-4 and 2.26195e-3 kg by hand; t_c = pi sqrt(m_c / 1e7). Half a unit
-    // of the last digit.
+    // m_c from masses of 1.69646e-4 and 2.26195e-3 kg by hand; t_c = pi sqrt(m_c / 1e7). Half a
+    // unit of the last digit.
     EXPECT_NEAR(time_of(scales, "small", "small").mass, 8.4823e-5, 5e-10);
     EXPECT_NEAR(time_of(scales, "small", "large").mass, 1.57810e-4, 5e-10);
     EXPECT_NEAR(time_of(scales, "small", "small").duration, 9.15e-6, 5e-9);

@@ -1,0 +1,67 @@
+/// Threads and slices decide who steps a realisation and when, never what comes out.
+#include "core/ensemble.hpp"
+
+#include "tests/support/observers.hpp"
+#include "tests/support/scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace grainbench::test {
+namespace {
+
+struct Outcome {
+    std::vector<std::uint64_t> hashes;
+    std::vector<std::vector<std::vector<std::uint64_t>>> rows;
+    std::vector<std::vector<std::vector<std::uint64_t>>> traces;
+
+    friend bool operator==(const Outcome&, const Outcome&) = default;
+};
+
+Outcome run(const Scene& scene, const EnsembleOptions& options) {
+    std::vector<Simulation> simulations;
+    std::vector<Recorder> recorders(static_cast<std::size_t>(scene.realisations.count));
+    std::vector<Observer*> observers;
+    for (int n = 0; n < scene.realisations.count; ++n) {
+        simulations.emplace_back(scene, n);
+        observers.push_back(&recorders[static_cast<std::size_t>(n)]);
+    }
+    const std::atomic<bool> stop{false};
+    run_ensemble(simulations, observers, options, stop, {});
+    Outcome outcome;
+    for (std::size_t n = 0; n < simulations.size(); ++n) {
+        EXPECT_TRUE(simulations[n].finished());
+        outcome.hashes.push_back(simulations[n].state_hash());
+        outcome.rows.push_back(recorders[n].rows);
+        outcome.traces.push_back(recorders[n].traces);
+    }
+    return outcome;
+}
+
+TEST(Threads, NeitherTheirNumberNorTheSliceChangesABit) {
+    Scene scene = thrown_bed();
+    scene.stages[0].duration = 0.021;
+    scene.stages[1].duration = 0.006;
+    const Outcome expected = run(scene, {.threads = 1, .slice = 100});
+    ASSERT_GT(expected.rows[0].size(), 10U);
+    ASSERT_GT(expected.traces[0].size(), 100U);
+    for (const unsigned threads : {1U, 2U, 4U}) {
+        for (const std::uint64_t slice : {100U, 7U}) {
+            EXPECT_EQ(run(scene, {.threads = threads, .slice = slice}), expected)
+                << threads << " threads, slices of " << slice;
+        }
+    }
+}
+
+TEST(Threads, RealisationsDifferFromEachOther) {
+    const Scene scene = thrown_bed();
+    std::set<std::uint64_t> hashes;
+    for (int n = 0; n < 3; ++n) {
+        hashes.insert(Simulation(scene, n).state_hash());
+    }
+    EXPECT_EQ(hashes.size(), 3U);
+}
+
+}  // namespace
+}  // namespace grainbench::test

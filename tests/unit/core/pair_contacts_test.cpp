@@ -1,0 +1,178 @@
+/// The three lists of contacts against brute force, while particles fly about.
+#include "core/contact/pair_contacts.hpp"
+
+#include "tests/unit/core/search_support.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+namespace grainbench {
+namespace {
+
+constexpr double timestep = 1e-4;
+constexpr double stiffness = 1000.0;
+constexpr double half_edge = 0.012;
+
+Scene springs_only() {
+    Scene scene;
+    scene.particles.species = {{"ball", 0.001, 1500.0}};
+    scene.contact.stiffness = ConstantStiffness::Params{.normal = stiffness, .shear = 0.0};
+    scene.contact.normal = IncrementalSpring::Params{};
+    return scene;
+}
+
+/// Particles that fly on straight lines within a cube that itself drifts, and pass through each
+/// other; beside them what the lists should say, from brute force.
+class FlyingCloud {
+public:
+    FlyingCloud(const SearchSettings& settings, double speed, std::uint64_t seed)
+        : random_(seed), particles_(state_of(random_cloud(150, 3.0, half_edge, seed))) {
+        const Scene scene = springs_only();
+        table_ = ContactTable(scene.contact, Materials(scene));
+        contacts_ = PairContacts(settings, table_.history_size());
+        for (Index slot = 0; slot < particles_.size(); ++slot) {
+            own_velocity_.push_back(in_cube(random_, speed));
+        }
+        look(0);
+    }
+
+    /// Returns the number of pairs that touch by brute force and not by the lists, or the reverse.
+    std::size_t step(std::uint64_t cycle) {
+        double fastest = 0.0;
+        for (Index slot = 0; slot < particles_.size(); ++slot) {
+            Vec3& v = own_velocity_[slot];
+            const Vec3 p = particles_.position(slot) - frame_;
+            for (const auto& [x, speed] : {std::pair{p.x, &v.x}, {p.y, &v.y}, {p.z, &v.z}}) {
+                *speed = std::abs(x) > half_edge ? -std::copysign(*speed, x) : *speed;
+            }
+            fastest = std::max(fastest, norm(v));
+            set_velocity(particles_, slot, v + drift_);
+            shift(particles_, slot, timestep * (v + drift_));
+        }
+        frame_ += timestep * drift_;
+        contacts_.add_travel(fastest * timestep);
+        return look(cycle);
+    }
+
+    const PairContacts& contacts() const { return contacts_; }
+
+    std::uint64_t late() const { return late_; }
+
+    std::size_t kept() const { return kept_; }
+
+private:
+    std::size_t look(std::uint64_t cycle) {
+        const Pairs known_before = pairs_of(contacts_.objects());
+        const Kernels& kernels = kernels_for("");
+        contacts_.update(cycle, particles_, frame_, kernels);
+        contacts_.find_touching(particles_, kernels);
+        contacts_.add_forces(particles_, table_, timestep, true, kernels);
+        const Pairs touching = touching_pairs();
+        const Pairs expected = brute_force_pairs(particles_, 1.0, 0.0);
+        const std::set known(known_before.begin(), known_before.end());
+        expect_forces(touching, known, cycle);
+        Pairs different;
+        std::set_symmetric_difference(touching.begin(),
+                                      touching.end(),
+                                      expected.begin(),
+                                      expected.end(),
+                                      std::back_inserter(different));
+        return different.size();
+    }
+
+    Pairs touching_pairs() const {
+        Pairs pairs;
+        for (const Index place : contacts_.touching()) {
+            pairs.emplace_back(contacts_.objects().i[place], contacts_.objects().j[place]);
+        }
+        return pairs;
+    }
+
+    /// Sums the spring force of every pair beside the contacts. It equals theirs only if they carry
+    /// the history of a pair from list to list and forget it when the pair opens.
+    void expect_forces(const Pairs& touching,
+                       const std::set<std::pair<Index, Index>>& known,
+                       std::uint64_t cycle) {
+        std::map<std::pair<Index, Index>, double> next;
+        for (Index t = 0; t < touching.size(); ++t) {
+            const auto [i, j] = touching[t];
+            const auto before = force_.find(touching[t]);
+            const bool stays = before != force_.end();
+            const bool found_late = !stays && !known.contains(touching[t]);
+            late_ += found_late && cycle > 0 ? 1 : 0;
+            kept_ += stays ? 1 : 0;
+            const Vec3 apart = particles_.position(j) - particles_.position(i);
+            const Vec3 normal = normalized(apart);
+            const double overlap = particles_.radius(i) + particles_.radius(j) - norm(apart);
+            const double opening =
+                timestep * dot(particles_.velocity(j) - particles_.velocity(i), normal);
+            const double way = stays || found_late
+                                   ? opening
+                                   : std::copysign(std::min(std::abs(opening), overlap), opening);
+            const double force = std::max(0.0, (stays ? before->second : 0.0) - stiffness * way);
+            next[touching[t]] = force;
+            // A hundred steps of a few roundings each of forces of about 1 N.
+            EXPECT_NEAR(contacts_.record(t)[record_normal], force, 1e-13)
+                << "pair " << i << " " << j << " cycle " << cycle;
+        }
+        force_ = std::move(next);
+    }
+
+    std::mt19937_64 random_;
+    ParticleState particles_;
+    ContactTable table_;
+    PairContacts contacts_;
+    std::vector<Vec3> own_velocity_;
+    Vec3 drift_{0.3, -0.2, 1.0};
+    Vec3 frame_{};
+    std::map<std::pair<Index, Index>, double> force_;
+    std::uint64_t late_ = 0;
+    std::size_t kept_ = 0;
+};
+
+TEST(PairContacts, MissNoTouchingPairWithTheDisplacementTrigger) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        FlyingCloud cloud({.tolerance = 0.0625, .slack = 0.00025}, 0.2, seed);
+        for (std::uint64_t cycle = 1; cycle <= 1000; ++cycle) {
+            ASSERT_EQ(cloud.step(cycle), 0U) << "cycle " << cycle;
+        }
+        EXPECT_EQ(cloud.contacts().late_count(), cloud.late());
+        EXPECT_GT(cloud.kept(), 10000U);
+        // The three lists did their work: most steps renewed none of them.
+        EXPECT_GT(cloud.contacts().renewals(), 100U);
+        EXPECT_LT(cloud.contacts().renewals(), 500U);
+        EXPECT_GT(cloud.contacts().candidate_builds(), 10U);
+        EXPECT_LT(cloud.contacts().candidate_builds(), cloud.contacts().renewals());
+    }
+}
+
+TEST(PairContacts, FindLateContactsAtTheNextSearchAndCountThem) {
+    FlyingCloud cloud({.tolerance = 0.0625, .slack = 0.00025, .interval = 20}, 0.2, 4);
+    std::size_t missed = 0;
+    for (std::uint64_t cycle = 1; cycle <= 1000; ++cycle) {
+        const std::size_t different = cloud.step(cycle);
+        missed += different;
+        if (cycle % 20 == 0) {
+            ASSERT_EQ(different, 0U) << "cycle " << cycle;
+        }
+    }
+    EXPECT_GT(missed, 100U);
+    EXPECT_GT(cloud.late(), 10U);
+    EXPECT_EQ(cloud.contacts().late_count(), cloud.late());
+    EXPECT_EQ(cloud.contacts().renewals(), 1U + 1000U / 20U);
+}
+
+TEST(PairContacts, KeepEveryPairWithBruteForce) {
+    FlyingCloud cloud({.tolerance = 0.0625, .brute_force = true}, 0.2, 5);
+    for (std::uint64_t cycle = 1; cycle <= 100; ++cycle) {
+        ASSERT_EQ(cloud.step(cycle), 0U) << "cycle " << cycle;
+    }
+    EXPECT_EQ(cloud.contacts().objects().count, 150U * 149U / 2U);
+    EXPECT_EQ(cloud.contacts().renewals(), 1U);
+}
+
+}  // namespace
+}  // namespace grainbench
