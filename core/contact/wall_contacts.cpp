@@ -375,23 +375,15 @@ void WallContacts::save(Archive& archive, const std::string& name) const {
     }
     archive.put(name + "/object_particle", object_particles);
     archive.put(name + "/object_normal", object_normals);
-    // Rows past the last contact hold what was there before, which is no state.
-    const auto used = [&](auto columns) {
-        for (std::size_t c = 0; c + stride_ <= columns.size() && stride_ > 0; c += stride_) {
-            std::fill_n(columns.begin() + static_cast<std::ptrdiff_t>(c + count_),
-                        stride_ - count_, 0);
-        }
-        return plain(columns);
-    };
-    archive.put(name + "/particle", used(particle_));
-    archive.put(name + "/patch", used(patch_));
-    archive.put(name + "/normal", used(normal_));
-    archive.put(name + "/distance", used(distance_));
-    archive.put(name + "/wall_velocity", used(wall_velocity_));
-    archive.put(name + "/wall_spin", used(wall_spin_));
-    archive.put(name + "/entered", used(entered_));
-    archive.put(name + "/history", used(history_));
-    archive.put(name + "/force", used(force_));
+    archive.put(name + "/particle", plain(particle_));
+    archive.put(name + "/patch", plain(patch_));
+    archive.put(name + "/normal", plain(normal_));
+    archive.put(name + "/distance", plain(distance_));
+    archive.put(name + "/wall_velocity", plain(wall_velocity_));
+    archive.put(name + "/wall_spin", plain(wall_spin_));
+    archive.put(name + "/entered", plain(entered_));
+    archive.put(name + "/history", plain(history_));
+    archive.put(name + "/force", plain(force_));
     archive.put(name + "/records", plain(records_));
     archive.put(name + "/counters",
                 std::vector<std::uint64_t>{count_, stride_, last_cycle_, late_, object_count_,
