@@ -99,13 +99,13 @@ std::vector<Simulation> build_simulations(const Scene& scene, unsigned threads) 
     return simulations;
 }
 
-/// Cycles between two looks at the clock and at signals: some hundredths of a second.
+/// Cycles between two looks at the clock and at signals: a hundredth of a second or so.
 std::uint64_t slice_for(std::span<const Simulation> simulations) {
     std::size_t most = 1;
     for (const Simulation& simulation : simulations) {
         most = std::max(most, simulation.particle_count());
     }
-    return std::clamp<std::uint64_t>(1'000'000 / most, 1, 20'000);
+    return std::clamp<std::uint64_t>(300'000 / most, 1, 5'000);
 }
 
 double fraction_done(std::span<const Simulation> simulations) {
