@@ -14,11 +14,11 @@
 ///          stick. Stores F_s^2 / (2 k_s); sliding dissipates the rest.
 #pragma once
 
-#include <string_view>
-#include <tuple>
-
 #include "core/contact/law.hpp"
 #include "core/describe.hpp"
+
+#include <string_view>
+#include <tuple>
 
 namespace grainbench {
 
@@ -30,7 +30,10 @@ struct CoulombFriction {
         double coefficient = 0.0;  ///< [1]
 
         static constexpr auto fields() {
-            return std::tuple{required(&Params::coefficient, "coefficient", "1", at_least(0.0),
+            return std::tuple{required(&Params::coefficient,
+                                       "coefficient",
+                                       "1",
+                                       at_least(0.0),
                                        "friction coefficient mu")};
         }
 
@@ -51,8 +54,11 @@ struct CoulombFriction {
     }
 
     template <class T>
-    static void apply(const Values<T>& v, const Geometry<T>& g, const T* history_in,
-                      T* history_out, Load<T>& load) {
+    static void apply(const Values<T>& v,
+                      const Geometry<T>& g,
+                      const T* history_in,
+                      T* history_out,
+                      Load<T>& load) {
         const Vec3Of<T> old{history_in[0], history_in[1], history_in[2]};
         Vec3Of<T> carried = old - dot(old, g.normal) * g.normal;  // (3)
         carried -= (g.mean_spin * g.timestep) * cross(carried, g.normal);
@@ -64,7 +70,8 @@ struct CoulombFriction {
 
         const Vec3Of<T> increment =
             (load.stiffness_s * (g.entry * g.timestep)) * g.sliding_velocity;
-        const Vec3Of<T> trial = stretch * carried - increment;  // (1)
+        carried = stretch * carried;
+        const Vec3Of<T> trial = carried - increment;  // (1)
 
         const T limit = v.coefficient * load.normal;
         const T trial_size = square_root(dot(trial, trial));
@@ -74,11 +81,10 @@ struct CoulombFriction {
         const T shrink = select(load.slipping, limit / safe_size, T(1.0));
         load.shear = shrink * trial;  // (2)
 
-        // Mean of the forces before and after the slide, times the slide (trial - F_s) / k_s.
-        const T slid = (trial_size - shrink * trial_size);
-        const T mean_force = T(0.5) * (trial_size + shrink * trial_size);
+        // Mean of the forces before and after the step, times the slide (trial - F_s) / k_s.
+        const Vec3Of<T> mean_force = T(0.5) * (carried + load.shear);
         const T safe_stiffness = select(T{} < load.stiffness_s, load.stiffness_s, T(1.0));
-        load.slip_work = slid * mean_force / safe_stiffness;
+        load.slip_work = dot(mean_force, trial - load.shear) / safe_stiffness;
         load.stored = load.stored + T(0.5) * dot(load.shear, load.shear) / safe_stiffness;
 
         history_out[0] = load.shear.x;
