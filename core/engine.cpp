@@ -39,6 +39,13 @@ void fill_packets(double (&packets)[8], const Vec3& v) {
     std::copy_n(packet, 4, packets + 4);
 }
 
+bool writes_contacts(const Scene& scene) {
+    return scene.output.contacts ||
+           std::any_of(scene.stages.begin(), scene.stages.end(), [](const Stage& stage) {
+               return stage.output && stage.output->contacts;
+           });
+}
+
 std::vector<WallBody> build_walls(const Scene& scene, const Materials& materials) {
     std::vector<WallBody> walls;
     for (std::size_t w = 0; w < scene.walls.size(); ++w) {
@@ -59,7 +66,7 @@ Engine::Engine(const Scene& scene, std::uint64_t seed, const SimulationOptions& 
       scheme_(scene.timestep),
       detection_(scene.detection),
       scene_gravity_(scene.gravity.value_or(Vec3{})),
-      keep_records_(scene.observables.energy.has_value() || scene.output.contacts),
+      keep_records_(scene.observables.energy.has_value() || writes_contacts(scene)),
       walls_(build_walls(scene, materials_)) {
     std::vector<Surface> surfaces;
     for (const WallBody& wall : walls_) {

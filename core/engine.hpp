@@ -56,6 +56,9 @@ public:
     /// Of contacts alone [N].
     Vec3 contact_force(Index slot) const;
 
+    /// Whether contacts leave records, which contact frames and the ledger read.
+    bool keeps_records() const { return keep_records_; }
+
     bool has_ledger() const { return ledger_ != nullptr; }
 
     Energies energies() const { return ledger_->energies(ledger_view(), timestep_); }

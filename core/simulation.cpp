@@ -344,6 +344,12 @@ WallFrame Simulation::wall_frame() const {
 
 ContactFrame Simulation::contact_frame() const {
     const Engine& engine = impl_->engine;
+    if (!engine.keeps_records()) {
+        throw_bad_input({.what = "the forces of single contacts are not kept in this run",
+                         .where = "/output/contacts",
+                         .likely_cause = "a frame of contacts is asked of a scene that writes none",
+                         .next_step = "set /output/contacts or /observables/energy"});
+    }
     const ParticleState& p = engine.particles();
     ContactFrame frame;
     frame.time = time();

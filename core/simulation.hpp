@@ -85,6 +85,7 @@ public:
 
     ParticleFrame particle_frame() const;
     WallFrame wall_frame() const;
+    /// Throws Error(bad_input) unless the scene writes contacts or has an energy ledger.
     ContactFrame contact_frame() const;
     std::vector<TracePoint> trace_points() const;
 

@@ -1,0 +1,99 @@
+#include "core/verify/registry.hpp"
+#include "core/verify/run.hpp"
+#include "core/verify/scenes.hpp"
+
+namespace grainbench::verify {
+
+namespace {
+
+constexpr double stiffness = 1e5;
+
+Scene ledger_scene(double steps, bool pair, bool moving) {
+    const double r = small_sphere.radius;
+    const double mass = pair ? 0.5 * small_sphere.mass() : small_sphere.mass();
+    const double dt = half_period(mass, stiffness) / steps;
+    Scene scene = scene_of({.normal = stiffness,
+                            .shear = stiffness,
+                            .friction = 0.3,
+                            .damping = 0.1,
+                            .damping_mode = 3},
+                           dt,
+                           1.5 * steps * dt);
+    scene.gravity = Vec3{0.0, 0.0, -9.8};
+    const double gap = 1e-6;
+    if (pair) {
+        add_sphere(scene, {-r - gap, 0.0, 0.0}, {1.0, 0.0, 0.8}, {0.0, 150.0, 20.0});
+        add_sphere(scene, {r + gap, 0.0, 0.0}, {-1.0, 0.3, -0.8}, {10.0, 150.0, -30.0});
+    } else {
+        add_plane(scene, "floor", {}, {0.0, 0.0, 1.0});
+        if (moving) {
+            scene.walls.back().motion = ConstantMotion{.velocity = {0.1, 0.0, 0.5}};
+        }
+        add_sphere(scene, {0.0, 0.0, r + gap}, {0.7, 0.2, -1.0}, {30.0, 0.0, 100.0});
+    }
+    scene.observables.energy = EnergyObservable{};
+    return scene;
+}
+
+struct Ledger {
+    double start = 0.0;      ///< [J] kinetic
+    double lost = 0.0;       ///< [J] kinetic, potential and elastic, less the work of walls
+    double slip = 0.0;       ///< [J]
+    double dashpot = 0.0;    ///< [J]
+    double numerical = 0.0;  ///< [J]
+};
+
+Ledger ledger_of(const Scene& scene) {
+    Run run(scene);
+    run.advance(0);
+    const auto mechanical = [&] {
+        return run.now("energy_kinetic_translation") + run.now("energy_kinetic_rotation") +
+               run.now("energy_potential") + run.now("energy_elastic");
+    };
+    const double before = mechanical();
+    const double kinetic = run.now("kinetic_energy");
+    run.finish();
+    return {.start = kinetic,
+            .lost = before - mechanical() + run.now("energy_wall_work"),
+            .slip = run.now("energy_dissipated_slip"),
+            .dashpot = run.now("energy_dissipated_dashpot"),
+            .numerical = run.now("energy_numerical")};
+}
+
+void check_ledger(Checks& checks, bool pair, bool moving) {
+    const Ledger ledger = ledger_of(ledger_scene(4000.0, pair, moving));
+    checks.add("lost, over the start's kinetic energy",
+               "1",
+               (ledger.slip + ledger.dashpot) / ledger.start,
+               ledger.lost / ledger.start,
+               {1e-6, "made or lost by the scheme at 4000 steps in an impact"});
+    checks.add("made or lost by the scheme, over the same",
+               "1",
+               0.0,
+               ledger.numerical / ledger.start,
+               {1e-6, "first order in dt where dashpots take hold, 4000 steps in an impact"});
+    checks.add(
+        "slip and dashpots both lose",
+        "1",
+        1.0,
+        ledger.slip > 1e-3 * ledger.start && ledger.dashpot > 1e-3 * ledger.start ? 1.0 : 0.0,
+        exact());
+}
+
+Case ledger_case(const char* name, const char* title, bool pair, bool moving) {
+    return {.name = name, .section = "10.12", .title = title, .run = [=](Checks& checks) {
+                check_ledger(checks, pair, moving);
+            }};
+}
+
+}  // namespace
+
+std::vector<Case> energy_cases() {
+    return {
+        ledger_case("energy/plane", "ledger of a damped impact with friction", false, false),
+        ledger_case("energy/moving-plane", "the same on a plane that moves", false, true),
+        ledger_case("energy/pair", "the same of two balls", true, false),
+    };
+}
+
+}  // namespace grainbench::verify
