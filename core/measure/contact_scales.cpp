@@ -1,11 +1,11 @@
 #include "core/measure/contact_scales.hpp"
 
+#include <algorithm>
+#include <limits>
+
 #include "core/contact/contact_table.hpp"
 #include "core/integrate/stable_step.hpp"
 #include "core/state/particle_state.hpp"
-
-#include <algorithm>
-#include <limits>
 
 namespace grainbench {
 
@@ -37,17 +37,12 @@ double mass_of(const Scene& scene, const Sphere& sphere) {
 }
 
 ContactTime contact_time(std::string first, std::string second, double stiffness, double mass) {
-    return {std::move(first),
-            std::move(second),
-            stiffness,
-            mass,
+    return {std::move(first), std::move(second), stiffness, mass,
             pi * std::sqrt(mass / stiffness)};  // (1)
 }
 
 /// The limit of one sphere that touches one material; the same formula as StableStep's.
-SingleContactLimit limit_of(const Scene& scene,
-                            const Sphere& sphere,
-                            const std::string& partner,
+SingleContactLimit limit_of(const Scene& scene, const Sphere& sphere, const std::string& partner,
                             const ContactStiffness& stiffness) {
     SingleContactLimit limit;
     limit.species = scene.particles.species[sphere.species].name;
@@ -66,8 +61,7 @@ SingleContactLimit limit_of(const Scene& scene,
 
 }  // namespace
 
-ContactScales contact_scales(const Scene& scene,
-                             const Contact& contact,
+ContactScales contact_scales(const Scene& scene, const Contact& contact,
                              const ParticleFrame& particles) {
     const Materials materials(scene);
     const ContactTable table(contact, materials);
@@ -81,11 +75,10 @@ ContactScales contact_scales(const Scene& scene,
             if (i.species <= j.species) {
                 const double m_i = mass_of(scene, i);
                 const double m_j = mass_of(scene, j);
-                scales.times.push_back(
-                    contact_time(materials.names()[i.species],
-                                 materials.names()[j.species],
-                                 table.stiffness(i.species, j.species, i.radius, j.radius).normal,
-                                 m_i * m_j / (m_i + m_j)));
+                scales.times.push_back(contact_time(
+                    materials.names()[i.species], materials.names()[j.species],
+                    table.stiffness(i.species, j.species, i.radius, j.radius).normal,
+                    m_i * m_j / (m_i + m_j)));
             }
         }
         for (Index material = 0; material < materials.count(); ++material) {
@@ -97,22 +90,18 @@ ContactScales contact_scales(const Scene& scene,
             }
             if (material >= species_count) {
                 scales.times.push_back(contact_time(materials.names()[i.species],
-                                                    materials.names()[material],
-                                                    stiffness.normal,
+                                                    materials.names()[material], stiffness.normal,
                                                     mass_of(scene, i)));
             }
         }
     }
     std::stable_sort(
-        scales.times.begin(), scales.times.end(), [](const ContactTime& a, const ContactTime& b) {
-            return a.duration < b.duration;
-        });
+        scales.times.begin(), scales.times.end(),
+        [](const ContactTime& a, const ContactTime& b) { return a.duration < b.duration; });
     return scales;
 }
 
-double surest_approach_speed(const Detection& detection,
-                             double smallest_radius,
-                             double timestep,
+double surest_approach_speed(const Detection& detection, double smallest_radius, double timestep,
                              std::int64_t cycles) {
     return detection.tolerance * smallest_radius / (static_cast<double>(cycles) * timestep);  // (2)
 }
@@ -120,19 +109,19 @@ double surest_approach_speed(const Detection& detection,
 double fastest_wall(const Scene& scene) {
     double fastest = 0.0;
     const auto look = [&](const WallMotion& motion) {
-        const double speed =
-            std::visit(Overloaded{[](const ConstantMotion& m) { return norm(m.velocity); },
-                                  [](const SinusoidMotion& m) { return norm(m.velocity); },
-                                  [](const SmoothedSquareMotion& m) { return m.amplitude; },
-                                  [](const TableMotion& m) {
-                                      double largest = 0.0;
-                                      for (const double v : m.speeds) {
-                                          largest = std::max(largest, std::abs(v));
-                                      }
-                                      return largest;
-                                  },
-                                  [](const auto&) { return 0.0; }},
-                       motion);
+        const double speed = std::visit(
+            Overloaded{[](const ConstantMotion& m) { return norm(m.velocity); },
+                       [](const SinusoidMotion& m) { return norm(m.velocity); },
+                       [](const SmoothedSquareMotion& m) { return m.amplitude; },
+                       [](const TableMotion& m) {
+                           double largest = 0.0;
+                           for (const double v : m.speeds) {
+                               largest = std::max(largest, std::abs(v));
+                           }
+                           return largest;
+                       },
+                       [](const auto&) { return 0.0; }},
+            motion);
         fastest = std::max(fastest, speed);
     };
     for (const Wall& wall : scene.walls) {
