@@ -87,6 +87,25 @@ std::string test_name(const testing::TestParamInfo<std::string>& info) {
     return name;
 }
 
+TEST(Readme, SceneIsOneThatRuns) {
+    const std::string page = io::read_file(std::string(GRAINBENCH_SOURCE_DIR) + "/README.md");
+    const std::string fence = "```json\n";
+    const std::size_t start = page.find(fence);
+    ASSERT_NE(start, std::string::npos);
+    const std::size_t end = page.find("```", start + fence.size());
+    const TemporaryFolder folder;
+    io::write_file(folder / "readme.json",
+                   page.substr(start + fence.size(), end - start - fence.size()));
+    const Answer answer = invoke({"run",
+                                  (folder / "readme.json").string(),
+                                  "-o",
+                                  (folder / "run").string(),
+                                  "--set",
+                                  "/stages/0/duration=1e-3"});
+    EXPECT_EQ(answer.code, 0) << answer.err;
+    EXPECT_TRUE(io::file_exists(folder / "run" / "realisation-1" / "particles.pvd"));
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, Preset, testing::ValuesIn(preset_names()), test_name);
 
 }  // namespace
