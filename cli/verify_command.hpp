@@ -9,9 +9,9 @@
 namespace grainbench::cli {
 
 struct VerifyArguments {
-    std::string filter;            ///< regular expression, found in the name of a case; empty = all
-    bool json = false;             ///< print JSON in place of the table
-    std::filesystem::path folder;  ///< gets verify.json and verify.md; empty = none
+    std::string filter{};  ///< regular expression, found in the name of a case; empty = all
+    bool json = false;     ///< print JSON in place of the table
+    std::filesystem::path folder{};  ///< gets verify.json and verify.md; empty = none
 };
 
 /// exit_ok, or exit_check_failed if a check fails.

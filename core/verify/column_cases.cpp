@@ -175,12 +175,12 @@ void check_squeezed(Checks& checks, const Squeezed& data) {
                "1",
                data.y_1,
                still.ball(0).position.z / r,
-               {6e-7, "half of the last printed digit"});
+               {1e-6, "the last printed digit"});
     checks.add("y_2 / r at rest",
                "1",
                data.y_2,
                still.ball(1).position.z / r,
-               {6e-7, "half of the last printed digit"});
+               {1e-6, "the last printed digit"});
 }
 
 /// From the start of the original case, a quarter and three quarters of the gap.
