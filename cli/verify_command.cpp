@@ -38,7 +38,7 @@ std::vector<verify::Case> chosen_cases(const std::string& filter) {
         throw_bad_input({.what = "no case has a name that matches '" + filter + "'",
                          .where = "--filter",
                          .likely_cause = "a misspelt name",
-                         .next_step = "`grainbench verify --json` lists all names"});
+                         .next_step = "`grainbench verify` prints all names"});
     }
     return chosen;
 }

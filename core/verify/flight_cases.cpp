@@ -127,8 +127,8 @@ void check_scheme(Checks& checks) {
     for (std::uint64_t cycle = 0; cycle < run.simulation().cycle(); ++cycle) {
         ball.step(dt);
     }
-    const Tolerance tolerance{1e-10,
-                              "round-off of 1e-14 m, times a hundred in each of two bounces"};
+    const Tolerance tolerance{1e-12,
+                              "round-off of 1e-16 m, times a hundred in each of two bounces"};
     checks.add("height", "m", ball.height, run.ball().position.z, tolerance);
     checks.add("velocity", "m/s", ball.full_velocity(), run.ball().velocity.z, tolerance);
 }
