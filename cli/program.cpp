@@ -11,6 +11,7 @@
 #include "cli/export_command.hpp"
 #include "cli/run_command.hpp"
 #include "cli/schema_command.hpp"
+#include "cli/verify_command.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -39,6 +40,7 @@ public:
         add_export();
         add_doctor();
         add_schema();
+        add_verify();
     }
 
     /// \param arguments in reverse order, as CLI11 wants them
@@ -120,6 +122,18 @@ private:
         });
     }
 
+    void add_verify() {
+        CLI::App* sub =
+            app_.add_subcommand("verify", "Run the cases with a known answer and print what they give");
+        sub->add_option("--filter", verify_.filter, "Only cases whose name holds this")
+            ->type_name("REGEX");
+        sub->add_flag("--json", verify_.json, "Print JSON in place of the table");
+        sub->add_option("-o,--output", verify_.folder, "Folder that gets verify.json and verify.md");
+        finish(*sub, "grainbench verify --filter impact", [this] {
+            return verify_command(verify_, streams_);
+        });
+    }
+
     /// Gives a command its example and what it does.
     void finish(CLI::App& sub, const std::string& example, std::function<int()> command) {
         sub.footer("Example:\n  " + example);
@@ -186,6 +200,7 @@ private:
     CheckArguments check_;
     ExportArguments export_;
     SchemaArguments schema_;
+    VerifyArguments verify_;
     std::string schema_kind_;
 };
 

@@ -31,7 +31,7 @@ void check_creation(Checks& checks) {
     const double speed = 1.0;
     const double dt = 1e-6;
     for (const bool every_cycle : {false, true}) {
-        Scene scene = closing_pair({.normal = stiffness}, 1e-3, speed, dt, 1.05e-3 / speed);
+        Scene scene = closing_pair({.normal = stiffness}, 1.0005e-3, speed, dt, 1.05e-3 / speed);
         if (every_cycle) {
             scene.detection.trigger = RemapInterval{.cycles = 1};
         }

@@ -127,19 +127,16 @@ void check_scheme(Checks& checks) {
     for (std::uint64_t cycle = 0; cycle < run.simulation().cycle(); ++cycle) {
         ball.step(dt);
     }
-    const Tolerance tolerance{1e-10,
-                              "round-off of 1e-14 m, times a hundred in each of two bounces"};
+    const Tolerance tolerance{1e-12,
+                              "round-off of 1e-16 m, times a hundred in each of two bounces"};
     checks.add("height", "m", ball.height, run.ball().position.z, tolerance);
     checks.add("velocity", "m/s", ball.full_velocity(), run.ball().velocity.z, tolerance);
 }
 
 /// Time until the ball stays down: the hard-sphere series plus the durations of the impacts.
-/// Heavier damping than in the example keeps the run short.
-void check_total_time(Checks& checks) {
-    const double beta = 0.2;
-    const double k = 1e6;
+void check_total_time(Checks& checks, double beta, double k, double duration) {
     const double t_c = half_period(small_sphere.mass(), k);
-    Scene scene = bounce_scene(t_c / 100.0, 0.6);
+    Scene scene = bounce_scene(t_c / 100.0, duration);
     scene.contact = contact_of({.normal = k, .damping = beta, .damping_mode = 3});
     Run run(scene);
     const Bounces bounces = follow_bounces(run);
@@ -148,12 +145,11 @@ void check_total_time(Checks& checks) {
     const double fall = std::sqrt(2.0 * (bounce_height - small_sphere.radius) / bounce_gravity);
     const double hard = fall * (1.0 + e) / (1.0 - e);
     const double contact = phase / pi * t_c / std::sqrt(1.0 - beta * beta);
-    checks.add(
-        "time to the last opening",
-        "s",
-        hard + static_cast<double>(bounces.count) * contact,
-        bounces.last_opening,
-        relative(2e-3, hard, "no flight is shorter than an impact; error of e at 100 steps"));
+    checks.add("time to the last opening, beta " + text_of(beta),
+               "s",
+               hard + static_cast<double>(bounces.count) * contact,
+               bounces.last_opening,
+               relative(5e-3, hard, "weight in the last impacts, slower than a few g t_c: 20 ms"));
 }
 
 /// Time is a plain sum of steps that ends once it reaches the target (physics reference 2.6).
@@ -196,7 +192,11 @@ std::vector<Case> flight_cases() {
         {.name = "flight/total-time",
          .section = "10.3",
          .title = "bouncing ball, time until it stays down",
-         .run = check_total_time},
+         .run =
+             [](Checks& checks) {
+                 check_total_time(checks, bounce_damping, bounce_stiffness, 4.7);
+                 check_total_time(checks, 0.2, 1e6, 0.6);
+             }},
         {.name = "flight/cycle-counts",
          .section = "2.6",
          .title = "cycles of fixed steps, as in the example",

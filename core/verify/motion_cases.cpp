@@ -50,10 +50,10 @@ void check_shaking(Checks& checks, const Shaking& shaking) {
         *std::max_element(speed.begin(), speed.end()),
         {3e-11 * shaking.amplitude + round.absolute, "the flank's tail, 2e-11 of the amplitude"});
     for (const double s : {0.0, 0.495, 0.5, 0.505}) {
-        checks.add("speed at t/T = " + std::to_string(s), "m/s", 0.0, at(s), round);
+        checks.add("speed at t/T = " + text_of(s), "m/s", 0.0, at(s), round);
     }
     for (const double s : {0.05, 0.055, 0.06, 0.1}) {
-        checks.add("speed at t/T = " + std::to_string(s), "m/s", flank(shaking, s), at(s), round);
+        checks.add("speed at t/T = " + text_of(s), "m/s", flank(shaking, s), at(s), round);
     }
     checks.add("speed at t/T = 0.44, mirrored", "m/s", 0.5 * shaking.amplitude, at(0.44), round);
     checks.add("speed at t/T = 0.945, reversed", "m/s", -0.5 * shaking.amplitude, at(0.945), round);

@@ -146,7 +146,7 @@ void check_box(Checks& checks) {
     mesh.finish();
     const Ball a = analytic.ball();
     const Ball b = mesh.ball();
-    const Tolerance tolerance{1e-9, "round-off of the overlap, amplified by some ten impacts"};
+    const Tolerance tolerance{1e-12, "round-off, amplified by a few impacts"};
     checks.add("speed", "m/s", norm(a.velocity), norm(b.velocity), tolerance);
     checks.add("difference of velocity", "m/s", 0.0, norm(a.velocity - b.velocity), tolerance);
     checks.add("difference of R times spin", "m/s", 0.0, r * norm(a.spin - b.spin), tolerance);

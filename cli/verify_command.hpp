@@ -1,0 +1,20 @@
+/// `grainbench verify`: runs the cases with a known answer and prints what they gave.
+#pragma once
+
+#include "cli/streams.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace grainbench::cli {
+
+struct VerifyArguments {
+    std::string filter{};  ///< regular expression, found in the name of a case; empty = all
+    bool json = false;     ///< print JSON in place of the table
+    std::filesystem::path folder{};  ///< gets verify.json and verify.md; empty = none
+};
+
+/// exit_ok, or exit_check_failed if a check fails.
+int verify_command(const VerifyArguments& arguments, const Streams& streams);
+
+}  // namespace grainbench::cli
