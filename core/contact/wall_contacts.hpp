@@ -1,11 +1,11 @@
-/// Contacts of the particles with one wall: which patches are near, which touch now after the rule of
-/// core/walls/surface.hpp, and the history that follows a particle from patch to patch.
+/// Contacts of the particles with one wall: which patches are near, which touch now after the rule
+/// of core/walls/surface.hpp, and the history that follows a particle from patch to patch.
 #pragma once
-
-#include <string>
 
 #include "core/contact/pair_contacts.hpp"
 #include "core/walls/wall_body.hpp"
+
+#include <string>
 
 namespace grainbench {
 
@@ -25,14 +25,22 @@ public:
     void add_travel(double bound);
 
     /// Renews the lists that are due, at the present positions.
-    Renewal update(std::uint64_t cycle, const ParticleState& particles, const WallBody& wall,
-                const Kernels& kernels);
+    Renewal update(std::uint64_t cycle,
+                   const ParticleState& particles,
+                   const WallBody& wall,
+                   const Kernels& kernels);
 
     /// Finds the touching contacts and hands their history over. True if the set changed.
-    bool find_touching(const ParticleState& particles, const WallBody& wall, const Kernels& kernels);
+    bool find_touching(const ParticleState& particles,
+                       const WallBody& wall,
+                       const Kernels& kernels);
 
-    void add_forces(ParticleState& particles, const WallBody& wall, const ContactTable& table,
-                    double timestep, bool records, const Kernels& kernels);
+    void add_forces(ParticleState& particles,
+                    const WallBody& wall,
+                    const ContactTable& table,
+                    double timestep,
+                    bool records,
+                    const Kernels& kernels);
 
     Index touching_count() const { return count_; }
 
@@ -74,9 +82,16 @@ private:
     void renew(const ParticleState& particles, const WallBody& wall, const Kernels& kernels);
     void renew_soon(const ParticleState& particles, const WallBody& wall, const Kernels& kernels);
     void reserve(std::size_t contacts);
-    bool add_hits(const ParticleState& particles, const WallBody& wall, Index particle,
-                  std::span<const WallHit> hits, Index& before);
-    void take_history(const Surface& surface, Index t, Index first_before, Index last_before);
+    bool add_hits(const ParticleState& particles,
+                  const WallBody& wall,
+                  Index particle,
+                  std::span<const WallHit> hits,
+                  Index& before);
+
+    /// Gives the contacts from `first_new` on the history of a contact before: of the same patch,
+    /// else of a neighbour that they continue.
+    void hand_over(const Surface& surface, Index first_new, Index first_before, Index last_before);
+    void take_history(Index t, Index before);
 
     SearchSettings settings_;
     int history_size_ = 0;
@@ -89,8 +104,8 @@ private:
     bool just_renewed_ = false;
     std::vector<std::uint8_t> fresh_;  ///< by near entry: not near before the last renewal
     Index object_count_ = 0;
-    PairList soon_;                      ///< particle, patch
-    Column<Index> soon_place_;           ///< in near_
+    PairList soon_;             ///< particle, patch
+    Column<Index> soon_place_;  ///< in near_
     std::vector<WallObject> soon_objects_;
     double last_travel_ = 0.0, soon_travel_ = 0.0, soon_limit_ = 0.0;
     Column<Index> found_;
@@ -103,7 +118,7 @@ private:
     Index count_before_ = 0;
     std::size_t stride_before_ = 0;
     Column<Index> particle_before_, patch_before_;
-    Column<double> history_before_;
+    Column<double> normal_before_, history_before_;
     std::vector<std::uint8_t> taken_;  ///< by contact before: history already handed over
     std::uint64_t late_ = 0;
 };
