@@ -13,6 +13,7 @@
 #include <cmath>
 #include <exception>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <regex>
 
@@ -85,6 +86,7 @@ void run_one(benchmark::State& state, Shared& shared, Failure& failure) {
     }
     state.counters["cpu"] = timing.cpu_seconds;
     state.counters["wall"] = timing.wall_seconds;
+    state.counters["simulated"] = timing.simulated;
     state.counters["cycles"] = timing.cycles;
     state.counters["particle_steps"] = timing.particle_steps;
     state.counters["touching"] = timing.touching;
@@ -126,21 +128,19 @@ public:
         result.candidates = sums["candidates"] / sums["particle_steps"];
         result.searches = sums["searches"] / sums["cycles"];
         result.candidate_builds = sums["builds"] / sums["cycles"];
-        describe(*shared_.at(result.name), sums["cycles"], result);
+        result.timestep = sums["simulated"] / sums["cycles"];
+        describe(*shared_.at(result.name), result);
         results.push_back(result);
     }
 
     std::vector<BenchResult> results;
 
 private:
-    static void describe(const Shared& shared, double cycles, BenchResult& result) {
+    static void describe(const Shared& shared, BenchResult& result) {
         const Simulation& simulation = shared.runs.front().simulation();
         result.about = shared.about.about;
         result.isa = simulation.isa();
         result.particles = static_cast<double>(simulation.particle_count());
-        result.timestep = shared.about.span *
-                          static_cast<double>(shared.runs.size() * result.step_times.size()) /
-                          cycles;
         const ParticleFrame frame = simulation.particle_frame();
         double squares = 0.0;
         for (const Vec3& v : frame.velocity) {

@@ -48,6 +48,7 @@ BenchTiming BenchRun::time_one_span() {
         timing.candidates += slice * static_cast<double>(simulation.candidate_count());
     }
     const Summary after = simulation.summary();
+    timing.simulated = after.time - before.time;
     timing.cycles = static_cast<double>(after.cycles - before.cycles);
     timing.particle_steps = timing.cycles * static_cast<double>(simulation.particle_count());
     timing.searches = static_cast<double>(after.searches - before.searches);

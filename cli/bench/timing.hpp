@@ -15,6 +15,7 @@ namespace grainbench::cli {
 struct BenchTiming {
     double cpu_seconds = 0.0;   ///< of the thread, in Simulation::advance
     double wall_seconds = 0.0;  ///< the same by the clock on the wall
+    double simulated = 0.0;     ///< [s]
     double cycles = 0.0;
     double particle_steps = 0.0;
     double touching = 0.0;  ///< sum over the cycles; so the next two
