@@ -57,7 +57,7 @@ RandomInsertion fill(const char* species, double low, double high) {
     return {.species = species,
             .count = 100000,
             .tries = 1000000,
-            .box = {{-0.05, -0.05, low}, {0.05, 0.05, high}},
+            .box = {{-0.25, -0.05, low}, {0.25, 0.05, high}},
             .inside = "container"};
 }
 
