@@ -4,6 +4,7 @@
 
 #include "io/json/problems.hpp"
 
+#include "cli/bench_command.hpp"
 #include "cli/build_info.hpp"
 #include "cli/check_command.hpp"
 #include "cli/doctor_command.hpp"
@@ -41,6 +42,7 @@ public:
         add_doctor();
         add_schema();
         add_verify();
+        add_bench();
     }
 
     /// \param arguments in reverse order, as CLI11 wants them
@@ -123,14 +125,30 @@ private:
     }
 
     void add_verify() {
-        CLI::App* sub =
-            app_.add_subcommand("verify", "Run the cases with a known answer and print what they give");
+        CLI::App* sub = app_.add_subcommand(
+            "verify", "Run the cases with a known answer and print what they give");
         sub->add_option("--filter", verify_.filter, "Only cases whose name holds this")
             ->type_name("REGEX");
         sub->add_flag("--json", verify_.json, "Print JSON in place of the table");
-        sub->add_option("-o,--output", verify_.folder, "Folder that gets verify.json and verify.md");
+        sub->add_option(
+            "-o,--output", verify_.folder, "Folder that gets verify.json and verify.md");
         finish(*sub, "grainbench verify --filter impact", [this] {
             return verify_command(verify_, streams_);
+        });
+    }
+
+    void add_bench() {
+        CLI::App* sub =
+            app_.add_subcommand("bench", "Time what a particle-step costs on this machine");
+        sub->add_option("--filter", bench_.filter, "Only benchmarks whose name holds this")
+            ->type_name("REGEX");
+        sub->add_flag("--json", bench_.json, "Print JSON in place of the table");
+        sub->add_option("-o,--output", bench_.output, "File that gets the JSON as well");
+        sub->add_option("--threads", bench_.threads, "Copies stepped side by side")
+            ->check(CLI::PositiveNumber);
+        finish(*sub, "grainbench bench --filter shaken", [this] {
+            return bench_command(
+                bench_, {cpu_model(), build_info().compiler}, streams_.out, streams_.err);
         });
     }
 
@@ -201,6 +219,7 @@ private:
     ExportArguments export_;
     SchemaArguments schema_;
     VerifyArguments verify_;
+    BenchArguments bench_;
     std::string schema_kind_;
 };
 

@@ -251,11 +251,13 @@ bool WallContacts::find_touching(const ParticleState& particles,
                                  const Kernels& kernels) {
     std::swap(particle_, particle_before_);
     std::swap(patch_, patch_before_);
+    std::swap(normal_, normal_before_);
     std::swap(history_, history_before_);
     count_before_ = count_;
     stride_before_ = stride_;
     particle_.resize(stride_);
     patch_.resize(stride_);
+    normal_.resize(3 * stride_);
     history_.resize(stride_ * static_cast<std::size_t>(history_size_));
     taken_.assign(count_before_, 0);
     count_ = 0;
@@ -327,38 +329,61 @@ bool WallContacts::add_hits(const ParticleState& particles,
         }
     }
     bool changed = last_before - before != hits.size();
+    hand_over(wall.surface(), first_new, before, last_before);
     for (Index t = first_new; t < count_; ++t) {
-        take_history(wall.surface(), t, before, last_before);
         changed = changed || entered_[t] == 0.0;
     }
     before = last_before;
     return changed;
 }
 
-void WallContacts::take_history(const Surface& surface,
-                                Index t,
-                                Index first_before,
-                                Index last_before) {
-    Index from = last_before;
-    for (Index b = first_before; b < last_before && from == last_before; ++b) {
-        if (taken_[b] == 0 && patch_before_[b] == patch_[t]) {
-            from = b;
+void WallContacts::hand_over(const Surface& surface,
+                             Index first_new,
+                             Index first_before,
+                             Index last_before) {
+    for (Index t = first_new; t < count_; ++t) {
+        entered_[t] = 0.0;
+        for (std::size_t h = 0; h < static_cast<std::size_t>(history_size_); ++h) {
+            history_[h * stride_ + t] = 0.0;
+        }
+        for (Index b = first_before; b < last_before; ++b) {
+            if (taken_[b] == 0 && patch_before_[b] == patch_[t]) {
+                take_history(t, b);
+                break;
+            }
         }
     }
-    for (Index b = first_before; b < last_before && from == last_before; ++b) {
-        if (taken_[b] == 0 && surface.adjacent(patch_before_[b], patch_[t])) {
-            from = b;
+    // What a patch has lost goes to a neighbour that goes on in its place, nearest direction first.
+    // A face that is met while another is left must start from nothing.
+    constexpr double smallest_cosine = 0.5;
+    for (bool found = true; found;) {
+        found = false;
+        double best = smallest_cosine;
+        std::pair<Index, Index> best_pair;
+        for (Index t = first_new; t < count_; ++t) {
+            for (Index b = first_before; b < last_before; ++b) {
+                const Vec3 old{normal_before_[b],
+                               normal_before_[stride_before_ + b],
+                               normal_before_[2 * stride_before_ + b]};
+                if (entered_[t] == 0.0 && taken_[b] == 0 && dot(normal(t), old) > best &&
+                    surface.adjacent(patch_before_[b], patch_[t])) {
+                    best = dot(normal(t), old);
+                    best_pair = {t, b};
+                    found = true;
+                }
+            }
+        }
+        if (found) {
+            take_history(best_pair.first, best_pair.second);
         }
     }
-    const bool known = from < last_before;
-    entered_[t] = known ? 1.0 : 0.0;
-    for (int h = 0; h < history_size_; ++h) {
-        const auto column = static_cast<std::size_t>(h);
-        history_[column * stride_ + t] =
-            known ? history_before_[column * stride_before_ + from] : 0.0;
-    }
-    if (known) {
-        taken_[from] = 1;
+}
+
+void WallContacts::take_history(Index t, Index before) {
+    entered_[t] = 1.0;
+    taken_[before] = 1;
+    for (std::size_t h = 0; h < static_cast<std::size_t>(history_size_); ++h) {
+        history_[h * stride_ + t] = history_before_[h * stride_before_ + before];
     }
 }
 

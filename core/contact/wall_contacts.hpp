@@ -87,7 +87,11 @@ private:
                   Index particle,
                   std::span<const WallHit> hits,
                   Index& before);
-    void take_history(const Surface& surface, Index t, Index first_before, Index last_before);
+
+    /// Gives the contacts from `first_new` on the history of a contact before: of the same patch,
+    /// else of a neighbour that they continue.
+    void hand_over(const Surface& surface, Index first_new, Index first_before, Index last_before);
+    void take_history(Index t, Index before);
 
     SearchSettings settings_;
     int history_size_ = 0;
@@ -114,7 +118,7 @@ private:
     Index count_before_ = 0;
     std::size_t stride_before_ = 0;
     Column<Index> particle_before_, patch_before_;
-    Column<double> history_before_;
+    Column<double> normal_before_, history_before_;
     std::vector<std::uint8_t> taken_;  ///< by contact before: history already handed over
     std::uint64_t late_ = 0;
 };

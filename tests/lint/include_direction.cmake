@@ -11,7 +11,7 @@ set(quoted_render "^(core|io|render)/")
 set(forbidden_render "^core/contact/")  # pictures come from run folders, not from laws
 set(angled_render "^(nlohmann|fmt)/|^vtk[A-Za-z0-9]+[.]h$|^GL/")
 set(quoted_cli "^(core|io|render|cli)/")
-set(angled_cli "^(CLI|fmt|spdlog)/|^(unistd|sys/[a-z]+)[.]h$")
+set(angled_cli "^(CLI|benchmark|fmt|spdlog)/|^(unistd|sys/[a-z]+)[.]h$")
 set(quoted_tests "^(core|io|render|cli|tests)/")
 set(angled_tests "^")
 

@@ -58,7 +58,7 @@ public:
     /// Last average at or before t [m].
     double elevation_at(double t) const {
         const auto after = elevation_.upper_bound(t);
-        return after == elevation_.begin() ? NAN : std::prev(after)->second;
+        return after == elevation_.begin() ? std::nan("") : std::prev(after)->second;
     }
 
     bool rises_above(double height, double until) const {

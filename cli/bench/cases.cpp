@@ -1,0 +1,205 @@
+#include "cli/bench/cases.hpp"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <random>
+#include <utility>
+
+namespace grainbench::cli {
+
+namespace {
+
+constexpr double small_radius = 0.003;
+constexpr double stiffness = 1e5;
+
+/// Longer than any benchmark runs: the last stage must not end.
+constexpr double for_ever = 1e9;
+
+Contact spring(NormalLaw law, double k) {
+    Contact contact;
+    contact.stiffness = ConstantStiffness::Params{.normal = k, .shear = k};
+    contact.normal = std::move(law);
+    return contact;
+}
+
+CoulombFriction::Params example_friction() {
+    return {.coefficient = 0.6};
+}
+
+ViscousDamping::Params example_damping() {
+    return {.normal = 0.02, .shear = 0.02, .mode = 3};
+}
+
+/// The laws and numbers of presets/scenes/bne.json.
+Contact example_contact() {
+    Contact contact = spring(IncrementalSpring::Params{}, stiffness);
+    contact.friction = example_friction();
+    contact.damping = example_damping();
+    return contact;
+}
+
+/// The same laws with dashpots that bring a bed to rest.
+Contact settling(Contact contact) {
+    contact.damping = ViscousDamping::Params{.normal = 0.3, .shear = 0.3, .mode = 0};
+    return contact;
+}
+
+Stage stage_of(double duration, const Contact& contact, std::optional<Timestep> timestep = {}) {
+    Stage stage;
+    stage.duration = duration;
+    stage.contact = contact;
+    stage.timestep = std::move(timestep);
+    return stage;
+}
+
+RandomInsertion fill(const char* species, double low, double high) {
+    return {.species = species,
+            .count = 100000,
+            .tries = 1000000,
+            .box = {{-0.25, -0.05, low}, {0.25, 0.05, high}},
+            .inside = "container"};
+}
+
+/// Container and bed of presets/scenes/bne.json, without what it measures and writes.
+Scene example_bed() {
+    Scene scene;
+    scene.gravity = Vec3{0.0, 0.0, -9.8};
+    scene.particles.species = {{"small", small_radius, 1500.0}, {"large", 0.006, 2500.0}};
+    scene.particles.insertion = {fill("small", -0.07, -0.01), fill("large", -0.1, -0.07)};
+    scene.walls = {
+        {.name = "container",
+         .shape =
+             FacetedCylinder{
+                 .base = {0.0, 0.0, -0.1}, .radius = 0.05, .height = 0.2, .resolution = 0.5},
+         .motion = FixedMotion{},
+         .material = {}}};
+    scene.contact = example_contact();
+    return scene;
+}
+
+Scene shaken_bed(const Timestep& timestep) {
+    Scene scene = example_bed();
+    scene.timestep = timestep;
+    Stage stage;
+    stage.duration = for_ever;
+    stage.motions = {{"container", SmoothedSquareMotion{.frequency = 10.0, .amplitude = 0.35}}};
+    scene.stages = {stage};
+    return scene;
+}
+
+Scene bed_at_rest() {
+    Scene scene = example_bed();
+    scene.contact = settling(example_contact());
+    scene.stages = {stage_of(0.6, scene.contact), stage_of(for_ever, example_contact())};
+    return scene;
+}
+
+/// Spheres in a hexagonal packing that fits its box, 0.02 percent loose: it settles at once, and
+/// which of its contacts close is as irregular as the first displacements, which are larger than
+/// the overlaps that weight makes.
+Scene packed_box(int nx, int ny, int nz) {
+    constexpr double half = 1.0002 * small_radius;
+    constexpr double jitter = 0.00015 * small_radius;
+    std::mt19937_64 random(10001);
+    const auto moved = [&](double x) {
+        return x + jitter * (static_cast<double>(random() >> 11) * 0x1p-52 - 1.0);
+    };
+    ListInsertion list;
+    for (int k = 0; k < nz; ++k) {
+        for (int j = 0; j < ny; ++j) {
+            for (int i = 0; i < nx; ++i) {
+                const double x = half * (1.0 + 2.0 * i + (j + k) % 2);
+                const double y = half * (1.0 + std::sqrt(3.0) * (j + (k % 2) / 3.0));
+                const double z = half * (1.0 + std::sqrt(8.0 / 3.0) * k);
+                list.particles.push_back(
+                    {.species = "small", .position = {moved(x), moved(y), moved(z)}});
+            }
+        }
+    }
+    Scene scene;
+    scene.gravity = Vec3{0.0, 0.0, -9.8};
+    scene.particles.species = {{"small", small_radius, 1500.0}};
+    scene.particles.insertion = {std::move(list)};
+    const double width = half * (2.0 * nx + 1.0);
+    const double depth = half * (2.0 + std::sqrt(3.0) * (ny - 1 + 1.0 / 3.0));
+    const double height = half * (4.0 + std::sqrt(8.0 / 3.0) * nz);
+    scene.walls = {{.name = "box",
+                    .shape = BoxShape{{0.0, 0.0, 0.0}, {width, depth, height}},
+                    .motion = FixedMotion{},
+                    .material = {}}};
+    return scene;
+}
+
+/// Settled with softer springs, whose step is ten times longer; the incremental spring keeps its
+/// force when the stiffness changes, so the bed stays at rest.
+Scene large_bed_at_rest() {
+    Scene scene = packed_box(100, 100, 10);
+    Contact soft = example_contact();
+    soft.stiffness = ConstantStiffness::Params{.normal = 0.1 * stiffness, .shear = 0.1 * stiffness};
+    scene.contact = settling(soft);
+    scene.stages = {stage_of(0.02, scene.contact), stage_of(for_ever, example_contact())};
+    return scene;
+}
+
+Scene effects_bed(const Contact& contact) {
+    Scene scene = packed_box(20, 20, 10);
+    scene.contact = settling(contact);
+    scene.stages = {stage_of(0.015, scene.contact),
+                    stage_of(for_ever, contact, FixedTimestep{5e-6})};
+    return scene;
+}
+
+BenchCase effects_case(const char* name, const char* about, const Contact& contact) {
+    return {.name = std::string("effects/") + name,
+            .about = about,
+            .scene = [contact] { return effects_bed(contact); },
+            .prepared = 0.016,
+            .span = 0.002,
+            .repetitions = 7};
+}
+
+}  // namespace
+
+std::vector<BenchCase> bench_cases() {
+    const Contact linear = spring(LinearSpring::Params{}, stiffness);
+    Contact damped = linear;
+    damped.damping = example_damping();
+    Contact rough = linear;
+    rough.friction = example_friction();
+    return {
+        {.name = "shaken_bed/fixed_step",
+         .about = "the example's bed, shaken at 10 Hz, step 1e-5 s, over one period",
+         .scene = [] { return shaken_bed(FixedTimestep{1e-5}); },
+         .prepared = 0.3,
+         .span = 0.1,
+         .repetitions = 5},
+        {.name = "shaken_bed/automatic_step",
+         .about = "the same with the automatic step",
+         .scene = [] { return shaken_bed(AutomaticTimestep{}); },
+         .prepared = 0.3,
+         .span = 0.1,
+         .repetitions = 5},
+        {.name = "bed_at_rest",
+         .about = "the same bed, settled, automatic step",
+         .scene = bed_at_rest,
+         .prepared = 0.8,
+         .span = 0.02,
+         .repetitions = 7},
+        {.name = "large_bed_at_rest",
+         .about = "100000 balls in a box, settled, automatic step",
+         .scene = large_bed_at_rest,
+         .prepared = 0.021,
+         .span = 0.0005,
+         .repetitions = 5},
+        effects_case("linear_spring", "4000 balls at rest: absolute normal spring alone", linear),
+        effects_case("linear_spring_and_damping", "the same with dashpots", damped),
+        effects_case("linear_spring_and_friction", "the same with friction", rough),
+        effects_case("incremental_spring",
+                     "incremental normal spring alone",
+                     spring(IncrementalSpring::Params{}, stiffness)),
+        effects_case("all", "incremental spring, friction and dashpots", example_contact()),
+    };
+}
+
+}  // namespace grainbench::cli

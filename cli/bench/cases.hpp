@@ -1,0 +1,25 @@
+/// The scenes that `grainbench bench` times. Each is built in C++, so that a benchmark means the
+/// same wherever the program is installed.
+#pragma once
+
+#include "core/scene.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace grainbench::cli {
+
+struct BenchCase {
+    std::string name;   ///< as `--filter` sees it
+    std::string about;  ///< one line
+    std::function<Scene()> scene;
+    double prepared = 0.0;  ///< [s] simulated time before anything is timed
+    double span = 0.0;      ///< [s] simulated time of one repetition
+    int repetitions = 0;
+};
+
+/// All benchmarks, in the order of the report.
+std::vector<BenchCase> bench_cases();
+
+}  // namespace grainbench::cli

@@ -1,0 +1,45 @@
+/// Times a benchmark: prepares its scene, then steps it and looks at the clock around
+/// Simulation::advance only.
+#pragma once
+
+#include "core/simulation.hpp"
+
+#include "cli/bench/cases.hpp"
+
+#include <optional>
+#include <utility>
+
+namespace grainbench::cli {
+
+/// Sums over one repetition.
+struct BenchTiming {
+    double cpu_seconds = 0.0;   ///< of the thread, in Simulation::advance
+    double wall_seconds = 0.0;  ///< the same by the clock on the wall
+    double simulated = 0.0;     ///< [s]
+    double cycles = 0.0;
+    double particle_steps = 0.0;
+    double touching = 0.0;  ///< sum over the cycles; so the next two
+    double objects = 0.0;
+    double candidates = 0.0;
+    double searches = 0.0;
+    double candidate_builds = 0.0;
+};
+
+/// One running copy of a case; keeps its state from one repetition to the next.
+class BenchRun {
+public:
+    explicit BenchRun(BenchCase bench_case) : case_(std::move(bench_case)) {}
+
+    /// Builds the scene and runs it to the time from which on it is timed, if not done yet.
+    void prepare();
+
+    BenchTiming time_one_span();
+
+    const Simulation& simulation() const { return *simulation_; }
+
+private:
+    BenchCase case_;
+    std::optional<Simulation> simulation_;
+};
+
+}  // namespace grainbench::cli
