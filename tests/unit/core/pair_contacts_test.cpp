@@ -135,7 +135,7 @@ private:
 TEST(PairContacts, MissNoTouchingPairWithTheDisplacementTrigger) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
-        FlyingCloud cloud({.tolerance = 0.0625, .slack = 0.00025}, 0.2, seed);
+        FlyingCloud cloud({.tolerance = 0.0625, .slack = 0.00025}, 0.1, seed);
         for (std::uint64_t cycle = 1; cycle <= 1000; ++cycle) {
             ASSERT_EQ(cloud.step(cycle), 0U) << "cycle " << cycle;
         }
