@@ -25,7 +25,10 @@ std::string stage_text(const io::StageCheck& stage, std::size_t number) {
         return text;
     }
     const SingleContactLimit& limit = stage.scales.limit;
-    text += fmt::format("  timestep  {}, at most {:.3g} s\n", stage.scheme, stage.planned_timestep);
+    text += fmt::format("  timestep  {}, {}{:.3g} s\n",
+                        stage.scheme,
+                        stage.scheme == AutomaticTimestep::key ? "at most " : "",
+                        stage.planned_timestep);
     text += fmt::format(
         "  limit     {:.3g} s for a single contact, {} on {}: {} with m {:.3e} kg, R {:.3g} m, "
         "k_n {:.3g} N/m, k_s {:.3g} N/m (damping counted in)\n",

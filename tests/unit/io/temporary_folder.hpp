@@ -4,7 +4,9 @@
 #include "core/error.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 
@@ -14,8 +16,11 @@ class TemporaryFolder {
 public:
     TemporaryFolder() {
         const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
-        path_ = std::filesystem::path(testing::TempDir()) /
-                (std::string("grainbench-") + test->test_suite_name() + "-" + test->name());
+        std::string name =
+            std::string("grainbench-") + test->test_suite_name() + "-" + test->name();
+        std::replace(name.begin(), name.end(), '/', '-');  // in names of parameterised tests
+        // The number keeps apart two runs of the tests at the same time.
+        path_ = std::filesystem::path(testing::TempDir()) / (name + "-" + std::to_string(getpid()));
         std::filesystem::remove_all(path_);
         std::filesystem::create_directories(path_);
     }
