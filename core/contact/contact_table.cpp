@@ -95,6 +95,13 @@ ContactTable::ContactTable(const Contact& contact, const Materials& materials)
                 constant_.push_back(stiffness(a, b, 1.0, 1.0));
             }
         }
+        rotation_rules_ = true;
+        for (Index a = 0; a < materials_; ++a) {
+            for (Index b = 0; b < materials_; ++b) {
+                const StepStiffness k = step_stiffness(a, b, 1.0, 1.0);
+                rotation_rules_ = rotation_rules_ && k.normal <= 5.0 / 3.0 * k.shear;
+            }
+        }
     }
 }
 

@@ -74,6 +74,11 @@ public:
         return {k.normal * step_factor_[2 * pair], k.shear * step_factor_[2 * pair + 1]};
     }
 
+    /// True if the rotational limit of a particle is below its translational one whatever its
+    /// contacts: sum K_s R^2 (1 - n^2) on the worst axis is at least 2/3 sum K_s R^2, and I = 2/5 m
+    /// R^2.
+    bool rotation_rules() const { return rotation_rules_; }
+
     /// Damping ratios of a pair of materials, normal and shear [1].
     std::pair<double, double> damping(Index material_i, Index material_j) const {
         const std::size_t pair = static_cast<std::size_t>(material_i) * materials_ + material_j;
@@ -92,8 +97,9 @@ private:
     int history_size_ = 0;
     Index materials_ = 0;
     std::vector<double> values_;
-    std::vector<double> damping_;             ///< two per pair: beta_n, beta_s
-    std::vector<double> step_factor_;         ///< two per pair: K / k
+    std::vector<double> damping_;      ///< [1] two per pair: beta_n, beta_s
+    std::vector<double> step_factor_;  ///< [1] two per pair: K / k
+    bool rotation_rules_ = false;
     std::vector<ContactStiffness> constant_;  ///< by pair, where it does not depend on radii
 };
 

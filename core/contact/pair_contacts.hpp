@@ -17,7 +17,7 @@ namespace grainbench {
 /// How contact objects come and go; all lengths [m].
 struct SearchSettings {
     double tolerance = 0.0625;  ///< [1] of a particle over its radius
-    double slack = 0.0;         ///< travel that the candidate list allows beyond the tolerance
+    double slack = 0.0;         ///< [m] travel that the candidate list allows beyond the tolerance
     std::int64_t interval = 0;  ///< cycles between renewals; 0 = displacement trigger
     bool brute_force = false;   ///< every pair is a contact object for ever (reference engine)
 
@@ -117,8 +117,8 @@ private:
     PairList contacts_;
     PairList soon_;
     Column<Index> soon_place_;  ///< in contacts_
-    double last_travel_ = 0.0;  ///< bound of the last step
-    double soon_travel_ = 0.0;  ///< since the soon list was renewed
+    double last_travel_ = 0.0;  ///< [m] bound of the last step
+    double soon_travel_ = 0.0;  ///< [m] since the soon list was renewed
     double soon_limit_ = 0.0;
     Column<Index> found_;
     std::vector<std::uint8_t> active_;  ///< by contact: acted in the last step, or born overlapping

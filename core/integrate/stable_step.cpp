@@ -19,16 +19,22 @@ void StableStep::clear() {
 void StableStep::add(Index slot,
                      const double (&normal_squares)[3],
                      double lever,
-                     const StepStiffness& stiffness) {
+                     const StepStiffness& stiffness,
+                     bool rotation_only) {
     if (listed_[slot] == 0) {
         listed_[slot] = 1;
         list_.push_back(slot);
     }
     double* sum = sums_.data() + 6 * static_cast<std::size_t>(slot);
+    const double turning = stiffness.shear * lever * lever;
     for (int axis = 0; axis < 3; ++axis) {
-        const double rest = 1.0 - normal_squares[axis];
-        sum[axis] += stiffness.normal * normal_squares[axis] + stiffness.shear * rest;  // (2)
-        sum[3 + axis] += stiffness.shear * lever * lever * rest;
+        sum[3 + axis] += turning * (1.0 - normal_squares[axis]);  // (2)
+    }
+    if (!rotation_only) {
+        for (int axis = 0; axis < 3; ++axis) {
+            sum[axis] += stiffness.normal * normal_squares[axis] +
+                         stiffness.shear * (1.0 - normal_squares[axis]);  // (2)
+        }
     }
 }
 
@@ -43,8 +49,8 @@ void StableStep::add_pair(const ParticleState& particles,
         apart.x * apart.x * inverse, apart.y * apart.y * inverse, apart.z * apart.z * inverse};
     const StepStiffness stiffness = table.step_stiffness(
         particles.species(i), particles.species(j), particles.radius(i), particles.radius(j));
-    add(i, squares, particles.radius(i), stiffness);
-    add(j, squares, particles.radius(j), stiffness);
+    add(i, squares, particles.radius(i), stiffness, table.rotation_rules());
+    add(j, squares, particles.radius(j), stiffness, table.rotation_rules());
 }
 
 void StableStep::add_wall(const ParticleState& particles,
@@ -55,7 +61,8 @@ void StableStep::add_wall(const ParticleState& particles,
     add(i,
         {normal.x * normal.x, normal.y * normal.y, normal.z * normal.z},
         particles.radius(i),
-        table.step_stiffness(particles.species(i), wall_material, particles.radius(i), 0.0));
+        table.step_stiffness(particles.species(i), wall_material, particles.radius(i), 0.0),
+        table.rotation_rules());
 }
 
 double StableStep::limit_of(const ParticleState& particles, Index slot) const {
@@ -87,7 +94,8 @@ double StableStep::single_contact_limit(const ParticleState& particles,
                     {0.0, 0.0, 1.0},
                     particles.radius(slot),
                     table.step_stiffness(
-                        particles.species(slot), material, particles.radius(slot), 0.0));
+                        particles.species(slot), material, particles.radius(slot), 0.0),
+                    false);
             const double translation = one.sums_[2] * particles.inverse_mass(slot);
             const double rotation = one.sums_[3] * particles.inverse_inertia(slot);
             smallest = std::min(smallest, 1.0 / std::sqrt(std::max(translation, rotation)));

@@ -49,7 +49,8 @@ private:
     void add(Index slot,
              const double (&normal_squares)[3],
              double lever,
-             const StepStiffness& stiffness);
+             const StepStiffness& stiffness,
+             bool rotation_only);
 
     Column<double> sums_;  ///< six per particle: k_x, k_y, k_z, kappa_x, kappa_y, kappa_z
     std::vector<std::uint8_t> listed_;  ///< by particle: has a contact that counts

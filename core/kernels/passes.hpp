@@ -193,16 +193,25 @@ inline void keep_records(const Load<Pack>& load,
     }
 }
 
-/// Adds sign * packet to a row of a column of packets.
-inline void add_packet(double* column, Index row, const double* packet, double sign) {
+/// Adds a packet to a row of a column of packets, or takes it away.
+inline void add_packet(double* __restrict column, Index row, const double* __restrict packet) {
     double* to = column + 4 * static_cast<std::size_t>(row);
     for (int c = 0; c < 4; ++c) {
-        to[c] += sign * packet[c];
+        to[c] += packet[c];
     }
 }
 
+inline void subtract_packet(double* __restrict column, Index row, const double* __restrict packet) {
+    double* to = column + 4 * static_cast<std::size_t>(row);
+    for (int c = 0; c < 4; ++c) {
+        to[c] -= packet[c];
+    }
+}
+
+// The passes are flattened: laws and helpers are one body with them, so that a block of contacts
+// stays in registers from load to store.
 template <class Laws, bool records>
-void pair_pass(const PairPass& pass) {
+[[gnu::flatten]] void pair_pass(const PairPass& pass) {
     constexpr int history_size = Laws::history_size;
     const ParticleView& p = pass.particles;
     const Pack timestep(pass.laws.timestep);
@@ -287,8 +296,8 @@ void pair_pass(const PairPass& pass) {
         double packets[4 * width];
         store_packets(force, packets);
         for (Index l = 0; l < valid; ++l) {
-            add_packet(p.force, row_i[l], packets + 4 * l, -1.0);
-            add_packet(p.force, row_j[l], packets + 4 * l, 1.0);
+            subtract_packet(p.force, row_i[l], packets + 4 * l);
+            add_packet(p.force, row_j[l], packets + 4 * l);
         }
         if constexpr (contains(Laws::needs, Needs::spin)) {
             // Contact point and force give -r_i n x F on i and -r_j n x F on j.
@@ -298,8 +307,8 @@ void pair_pass(const PairPass& pass) {
             store_packets(b.lever_j * turning, packets_j);
             // Lane by lane, so that sums are in the order of the contacts whatever the width.
             for (Index l = 0; l < valid; ++l) {
-                add_packet(p.torque, row_i[l], packets + 4 * l, -1.0);
-                add_packet(p.torque, row_j[l], packets_j + 4 * l, -1.0);
+                subtract_packet(p.torque, row_i[l], packets + 4 * l);
+                subtract_packet(p.torque, row_j[l], packets_j + 4 * l);
             }
         }
         for (Index l = 0; l < valid; ++l) {
@@ -329,7 +338,7 @@ inline void store_some(Pack a, double* column, Index valid) {
 }
 
 template <class Laws, bool records>
-void wall_pass(const WallPass& pass) {
+[[gnu::flatten]] void wall_pass(const WallPass& pass) {
     constexpr int history_size = Laws::history_size;
     const ParticleView& p = pass.particles;
     const Pack timestep(pass.laws.timestep);
@@ -397,12 +406,12 @@ void wall_pass(const WallPass& pass) {
         double packets[4 * width];
         store_packets(force, packets);
         for (Index l = 0; l < valid; ++l) {
-            add_packet(p.force, row[l], packets + 4 * l, -1.0);
+            subtract_packet(p.force, row[l], packets + 4 * l);
         }
         if constexpr (contains(Laws::needs, Needs::spin)) {
             store_packets(b.lever_i * cross(g.normal, force), packets);
             for (Index l = 0; l < valid; ++l) {
-                add_packet(p.torque, row[l], packets + 4 * l, -1.0);
+                subtract_packet(p.torque, row[l], packets + 4 * l);
             }
         }
     }
