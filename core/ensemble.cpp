@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
-#include <deque>
 #include <exception>
 #include <mutex>
 #include <thread>
@@ -76,8 +75,7 @@ private:
     void work() {
         std::unique_lock lock(mutex_);
         while (!waiting_.empty() && !failure_ && !stop_) {
-            const std::size_t n = waiting_.front();
-            waiting_.pop_front();
+            const std::size_t n = take_the_hindmost();
             lock.unlock();
             const bool unfinished = run_slice(n);
             lock.lock();
@@ -85,6 +83,18 @@ private:
                 waiting_.push_back(n);
             }
         }
+    }
+
+    /// The realisation that waits with the least simulated time: their steps differ, and one left
+    /// behind would run alone at the end.
+    std::size_t take_the_hindmost() {
+        const auto hindmost =
+            std::min_element(waiting_.begin(), waiting_.end(), [&](std::size_t a, std::size_t b) {
+                return times_[a] < times_[b];
+            });
+        const std::size_t n = *hindmost;
+        waiting_.erase(hindmost);
+        return n;
     }
 
     bool run_slice(std::size_t n) {
@@ -135,7 +145,7 @@ private:
     const std::function<void(const EnsembleProgress&)>& progress_;
     const Clock::time_point start_ = Clock::now();
     std::mutex mutex_;
-    std::deque<std::size_t> waiting_;
+    std::vector<std::size_t> waiting_;
     std::vector<RealisationCost> costs_;
     std::vector<double> times_;
     double end_time_ = 0.0;
