@@ -6,6 +6,8 @@
 #include "io/atomic_file.hpp"
 #include "io/libraries.hpp"
 
+#include "render/self_test.hpp"
+
 #include "cli/build_info.hpp"
 #include "cli/exit_codes.hpp"
 
@@ -59,10 +61,22 @@ int doctor_command(const DoctorArguments& arguments, const Streams& streams) {
     for (const auto& [name, value] : build.libraries) {
         line(name, value);
     }
+    std::string trouble;
+    try {
+        line("draws with", render::test_drawing());
+    } catch (const Error& error) {
+        // The rest is worth knowing too, and all else works without.
+        line("draws with", "nothing: " + error.diagnosis().likely_cause);
+        trouble = error.what();
+    }
     const std::filesystem::path folder =
         arguments.folder.empty() ? std::filesystem::temp_directory_path() : arguments.folder;
     write_and_read_back(folder);
     line("can write to", folder.string());
+    if (!trouble.empty()) {
+        streams.err << "grainbench: " << trouble << "\n";
+        return exit_input_output;
+    }
     return exit_ok;
 }
 

@@ -1,4 +1,4 @@
-/// `grainbench doctor`: which program on which machine, and whether it can write.
+/// `grainbench doctor`: which program on which machine, whether it can write and draw.
 #pragma once
 
 #include "cli/streams.hpp"
@@ -11,7 +11,8 @@ struct DoctorArguments {
     std::filesystem::path folder;  ///< to write a test file in; empty = the system's for such files
 };
 
-/// Error(input_output) if the test file cannot be written and read back.
+/// Prints what it finds. Exit code 5 if nothing can be drawn; Error(input_output) if the test file
+/// cannot be written and read back.
 int doctor_command(const DoctorArguments& arguments, const Streams& streams);
 
 }  // namespace grainbench::cli

@@ -109,7 +109,8 @@ private:
     }
 
     void add_doctor() {
-        CLI::App* sub = app_.add_subcommand("doctor", "Print versions, processor and libraries");
+        CLI::App* sub =
+            app_.add_subcommand("doctor", "Print versions, processor and libraries; try to draw");
         finish(*sub, "grainbench doctor", [this] { return doctor_command({}, streams_); });
     }
 

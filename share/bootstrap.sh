@@ -7,6 +7,7 @@ packages=(
   g++ cmake ninja-build
   libeigen3-dev libhwy-dev                                 # core
   libvtk9-dev libopenmpi-dev libhdf5-dev nlohmann-json3-dev libvalijson-dev  # io
+  libosmesa6-dev libpng-dev                                # render
   libcli11-dev libspdlog-dev libfmt-dev                    # cli
   libgtest-dev libbenchmark-dev                            # tests
 )

@@ -16,6 +16,13 @@ if(TARGET grainbench_io)
         FILE_SET HEADERS DESTINATION ${grainbench_header_dir})
     install(EXPORT grainbenchIoTargets NAMESPACE grainbench:: DESTINATION ${grainbench_package_dir})
 endif()
+if(TARGET grainbench_render)
+    install(TARGETS grainbench_render EXPORT grainbenchRenderTargets
+        FILE_SET HEADERS DESTINATION ${grainbench_header_dir})
+    install(EXPORT grainbenchRenderTargets NAMESPACE grainbench:: DESTINATION ${grainbench_package_dir})
+    install(FILES ${PROJECT_SOURCE_DIR}/share/cmake/GrainbenchVtkDrawing.cmake
+        DESTINATION ${grainbench_package_dir})
+endif()
 if(TARGET grainbench)
     install(TARGETS grainbench)
 endif()

@@ -1,8 +1,8 @@
 # Options, dependencies, and the two INTERFACE targets that every target of ours links.
 include(GNUInstallDirs)
 
-option(GRAINBENCH_BUILD_IO "Build file formats and the command line (VTK, HDF5, JSON)" ON)
-option(GRAINBENCH_BUILD_RENDER "Build the offscreen renderer (VTK on OSMesa)" OFF)
+option(GRAINBENCH_BUILD_IO "Build file formats (VTK, HDF5, JSON)" ON)
+option(GRAINBENCH_BUILD_RENDER "Build the renderer (VTK on OSMesa) and the command line, which draws" ${GRAINBENCH_BUILD_IO})
 option(GRAINBENCH_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(GRAINBENCH_WERROR "Treat warnings as errors" OFF)
 set(GRAINBENCH_SANITIZE "" CACHE STRING "Sanitizers, as in -fsanitize=...: address,undefined or thread")
@@ -40,4 +40,11 @@ if(GRAINBENCH_BUILD_IO)
     find_package(CLI11 2.1 REQUIRED)
     find_package(spdlog 1.10 REQUIRED)
     find_package(fmt 9.1 REQUIRED)
+endif()
+if(GRAINBENCH_BUILD_RENDER)
+    if(NOT GRAINBENCH_BUILD_IO)
+        message(FATAL_ERROR "GRAINBENCH_BUILD_RENDER needs GRAINBENCH_BUILD_IO: pictures are drawn from run folders")
+    endif()
+    include(GrainbenchVtkDrawing)
+    find_path(OSMESA_INCLUDE_DIR GL/osmesa.h REQUIRED)  # package libosmesa6-dev
 endif()

@@ -25,6 +25,7 @@
 namespace grainbench::cli {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 /// `grainbench` with these arguments; what it says goes into files.
@@ -198,6 +199,17 @@ TEST_F(ProcessTest, DamagedCheckpointGoesOnFromThePreviousToTheSameBits) {
     ASSERT_EQ(finish("broken", true), 0) << io::read_file(err());
     EXPECT_THAT(io::read_file(err()), HasSubstr("warning: "));
     EXPECT_EQ(hashes("broken"), hashes("straight"));
+}
+
+TEST_F(ProcessTest, WithoutOsMesaOnlyDrawingFails) {
+    // The dynamic linker takes this file for the library and cannot load it.
+    io::write_file(folder_ / "libOSMesa.so.8", "");
+    ASSERT_EQ(setenv("LD_LIBRARY_PATH", folder_.path().c_str(), 1), 0);
+    EXPECT_EQ(Process({"check", (folder_ / "cup.json").string()}, err()).wait(), 0);
+    EXPECT_EQ(Process({"doctor"}, err()).wait(), 5);
+    unsetenv("LD_LIBRARY_PATH");
+    EXPECT_THAT(io::read_file(err()),
+                AllOf(HasSubstr("\nVTK "), HasSubstr("apt-get install libosmesa6")));
 }
 
 }  // namespace

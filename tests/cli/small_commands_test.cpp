@@ -36,6 +36,7 @@ TEST(DoctorCommand, NamesProgramProcessorAndLibraries) {
                       ContainsRegex("\nVTK +9\\."),
                       ContainsRegex("\nHDF5 +1\\."),
                       ContainsRegex("\nEigen +3\\."),
+                      ContainsRegex("\ndraws with +.*OpenGL [1-9]"),
                       ContainsRegex("\ncan write to +/")));
 }
 

@@ -9,7 +9,7 @@ set(quoted_io "^(core|io)/")
 set(angled_io "^(nlohmann|valijson|fmt|spdlog)/|^vtk[A-Za-z0-9]+[.]h$|^hdf5[.]h$|^(unistd|fcntl|sys/[a-z]+)[.]h$")
 set(quoted_render "^(core|io|render)/")
 set(forbidden_render "^core/contact/")  # pictures come from run folders, not from laws
-set(angled_render "^(nlohmann|fmt)/|^vtk[A-Za-z0-9]+[.]h$|^GL/")
+set(angled_render "^(nlohmann|fmt)/|^vtk[A-Za-z0-9]+[.]h$|^GL/|^(dlfcn|png)[.]h$")
 set(quoted_cli "^(core|io|render|cli)/")
 set(angled_cli "^(CLI|benchmark|fmt|spdlog)/|^(unistd|sys/[a-z]+)[.]h$")
 set(quoted_tests "^(core|io|render|cli|tests)/")
