@@ -1,0 +1,133 @@
+/// One series of a chart, drawn in pixels. Internal to render: shows VTK.
+///
+/// VTK's own plots hand their points in the units of the data to the painter and let a matrix scale
+/// them. The SVG exporter of VTK 9.1 flips such points at the height of the page before that matrix
+/// is applied, writes them with six digits, and scales dashes and markers with them: lines end up
+/// outside the page (share/doc/decisions). Points that are in pixels before they reach the painter
+/// come out right from both of its devices.
+#pragma once
+
+#include "render/chart.hpp"
+#include "render/chart_scale.hpp"
+
+#include <vtkContextItem.h>
+#include <vtkPlot.h>
+
+#include <array>
+#include <vector>
+
+namespace grainbench::render {
+
+/// How a series looks: told apart by colour, and without colour by dash, marker or hatch.
+struct ChartLook {
+    std::size_t index = 0;
+    std::array<unsigned char, 3> colour{};
+    int dash = 0;  ///< vtkPen line type
+    enum class Marker { circle, square, diamond, triangle, inverted_triangle } marker{};
+    enum class Hatch { none, rising, falling, crossed } hatch{};
+};
+
+/// Looks repeat after a while, in combinations of colour and dash that do not.
+ChartLook chart_look(std::size_t index);
+
+/// A point in pixels.
+using Pixel = std::array<float, 2>;
+
+class SeriesPlot : public vtkPlot {
+public:
+    vtkTypeMacro(SeriesPlot, vtkPlot) static SeriesPlot* New();
+    SeriesPlot(const SeriesPlot&) = delete;
+    void operator=(const SeriesPlot&) = delete;
+
+    /// \param bar_slot which of bar_slots bars at a category this is
+    /// \param size of lines, markers and gaps; 1 for the usual width of a chart
+    void describe(const ChartSeries& series,
+                  const ChartRanges& ranges,
+                  const ChartLook& look,
+                  int bar_slot,
+                  int bar_slots,
+                  float size);
+
+    bool Paint(vtkContext2D* painter) override;
+    bool PaintLegend(vtkContext2D* painter, const vtkRectf& rect, int index) override;
+
+    /// Where the series covers the chart, in pixels, close enough to keep a legend off it.
+    std::vector<Pixel> covered() const;
+
+protected:
+    SeriesPlot() = default;
+    ~SeriesPlot() override = default;
+
+private:
+    Pixel pixel_of(double x, double y) const;
+    double bar_place(std::size_t category) const;
+    double across(std::size_t k) const;
+    std::vector<std::vector<Pixel>> strokes() const;
+
+    void paint_band(vtkContext2D* painter) const;
+    void paint_line(vtkContext2D* painter) const;
+    void paint_markers(vtkContext2D* painter, const std::vector<Pixel>& points) const;
+    void paint_error_bars(vtkContext2D* painter) const;
+    void paint_bars(vtkContext2D* painter) const;
+    void paint_bar(vtkContext2D* painter, Pixel low, Pixel high) const;
+    void use_line(vtkContext2D* painter, bool is_dashed) const;
+
+    ChartSeries series_;
+    ChartRanges ranges_;
+    ChartLook look_{};
+    int bar_slot_ = 0;
+    int bar_slots_ = 1;
+    float size_ = 1.0F;
+};
+
+/// Vertical lines and texts of a chart, in pixels.
+class NotesPlot : public vtkPlot {
+public:
+    vtkTypeMacro(NotesPlot, vtkPlot) static NotesPlot* New();
+    NotesPlot(const NotesPlot&) = delete;
+    void operator=(const NotesPlot&) = delete;
+
+    void describe(const Chart& chart, const ChartRanges& ranges, int font_size, float size);
+
+    bool Paint(vtkContext2D* painter) override;
+
+protected:
+    NotesPlot() = default;
+    ~NotesPlot() override = default;
+
+private:
+    Chart chart_;
+    ChartRanges ranges_;
+    int font_size_ = 12;
+    float size_ = 1.0F;
+};
+
+/// Titles of the chart and of its axes. vtkAxis would set its title ten pixels from the numbers,
+/// whatever the size of either.
+class TitlesItem : public vtkContextItem {
+public:
+    vtkTypeMacro(TitlesItem, vtkContextItem) static TitlesItem* New();
+    TitlesItem(const TitlesItem&) = delete;
+    void operator=(const TitlesItem&) = delete;
+
+    struct Title {
+        std::string text;
+        Pixel centre;         ///< of its lower edge
+        double turned = 0.0;  ///< [degrees]
+        int font_size = 12;
+        bool is_bold = false;
+    };
+
+    void add(Title title) { titles_.push_back(std::move(title)); }
+
+    bool Paint(vtkContext2D* painter) override;
+
+protected:
+    TitlesItem() = default;
+    ~TitlesItem() override = default;
+
+private:
+    std::vector<Title> titles_;
+};
+
+}  // namespace grainbench::render
