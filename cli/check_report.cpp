@@ -2,6 +2,8 @@
 
 #include "core/simulation.hpp"
 
+#include "cli/jobs/planned_steps.hpp"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -61,17 +63,6 @@ io::TrialRun try_out(Simulation& simulation, double seconds) {
                                       static_cast<double>(simulation.particle_count()) /
                                       std::max(trial.wall_seconds, 1e-9);
     return trial;
-}
-
-/// Step that a scheme starts from with one lone contact [s].
-double planned_timestep(const Timestep& scheme, double limit) {
-    return std::visit(
-        Overloaded{[&](const AutomaticTimestep& a) {
-                       return std::min(a.safety_factor * limit,
-                                       a.maximum.value_or(std::numeric_limits<double>::infinity()));
-                   },
-                   [](const auto& chosen) { return chosen.value; }},
-        scheme);
 }
 
 std::vector<io::StageCheck> check_stages(const Scene& scene, const ParticleFrame& particles) {

@@ -37,30 +37,25 @@ std::string progress_text(const EnsembleProgress& progress, double first) {
     return text;
 }
 
-Progress::Progress(const Streams& streams, bool quiet, double first)
+ProgressLine::ProgressLine(const Streams& streams, bool quiet)
     : streams_(streams),
       quiet_(quiet),
-      first_(first),
       next_(streams.err_is_terminal ? redraw_interval : log_interval) {}
 
-Progress::~Progress() {
+ProgressLine::~ProgressLine() {
     if (drawn_ > 0) {
         streams_.err << '\r' << std::string(drawn_, ' ') << '\r' << std::flush;
     }
 }
 
-void Progress::update(const EnsembleProgress& progress) {
-    if (quiet_ || progress.wall_seconds < next_) {
-        return;
-    }
-    const std::string text = progress_text(progress, first_);
+void ProgressLine::say(double wall_seconds, const std::string& text) {
     if (streams_.err_is_terminal) {
-        next_ = progress.wall_seconds + redraw_interval;
+        next_ = wall_seconds + redraw_interval;
         const std::size_t before = std::exchange(drawn_, text.size());
         const std::size_t blanks = before > drawn_ ? before - drawn_ : 0;
         streams_.err << '\r' << text << std::string(blanks, ' ') << std::flush;
     } else {
-        next_ = progress.wall_seconds + log_interval;
+        next_ = wall_seconds + log_interval;
         spdlog::logger log("progress",
                            std::make_shared<spdlog::sinks::ostream_sink_mt>(streams_.err));
         log.set_pattern("[%Y-%m-%d %H:%M:%S] %v");
