@@ -155,6 +155,7 @@ void rewrite_paths(Json& scene, const std::function<std::string(const std::strin
     rewrite_at(scene, "$schema", [&](const std::string& name) {
         return name.find("://") == std::string::npos ? rewrite(name) : name;
     });
+    rewrite_at(scene, "run", rewrite);  // of a look (render/look.hpp)
     each_in(scene, "walls", [&](Json& wall) {
         if (wall.is_object() && wall.contains("shape")) {
             rewrite_at(wall["shape"], "path", rewrite);

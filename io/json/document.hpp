@@ -38,7 +38,7 @@ Document load_document(std::string_view text,
 /// Missing keys are created, an array index must exist.
 void apply_override(Json& document, std::string_view assignment);
 
-/// Rewrites each file name of a scene ("$schema" and the paths of imported files).
+/// Rewrites each file name of a scene or a look ("$schema", the paths of imported files, "run").
 void rewrite_paths(Json& scene, const std::function<std::string(const std::string&)>& rewrite);
 
 /// Text of a value over several lines, indented by 2; numbers read back to the last bit.

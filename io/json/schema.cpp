@@ -32,26 +32,9 @@ void add_counts(Json& definitions) {
 
 std::string scene_schema() {
     SchemaBuilder builder;
-    const Json full = builder.define<Scene>({});
-    const Json patch = builder.define_patch<Scene>();
-    Json& definitions = builder.definitions;
-    add_counts(definitions);
-    const std::string format(Scene::format_name);
-    definitions["Scene"]["properties"]["format"]["const"] = format;
-    definitions["ScenePatch"]["properties"]["format"] = {{"const", format}};
-    definitions["ScenePatch"]["properties"]["extends"] = {
-        {"type", "string"},
-        {"description",
-         "scene that this one changes, relative to this file; objects merge, lists "
-         "replace, null removes a key"}};
-    const Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
-                         {"title", "grainbench scene"},
-                         {"description", "Scene of grainbench, in SI units"},
-                         {"type", "object"},
-                         {"if", {{"required", {"extends"}}}},
-                         {"then", patch},
-                         {"else", full},
-                         {"definitions", std::move(definitions)}};
+    Json schema =
+        file_schema<Scene>(builder, "grainbench scene", "Scene of grainbench, in SI units");
+    add_counts(schema["definitions"]);
     return pretty_text(schema);
 }
 

@@ -175,4 +175,29 @@ private:
     }
 };
 
+/// The schema of a file that holds a T and may extend another; T names its format.
+/// What a field table cannot say is changed in the "definitions" of the result.
+template <Described T>
+Json file_schema(SchemaBuilder& builder, std::string_view title, std::string_view description) {
+    const std::string name(type_name<T>());
+    const Json full = builder.define<T>({});
+    const Json patch = builder.define_patch<T>();
+    const std::string format(T::format_name);
+    builder.definitions[name]["properties"]["format"]["const"] = format;
+    Json& patch_keys = builder.definitions[name + "Patch"]["properties"];
+    patch_keys["format"] = {{"const", format}};
+    patch_keys["extends"] = {{"type", "string"},
+                             {"description",
+                              "file that this one changes, relative to this file; objects merge, "
+                              "lists replace, null removes a key"}};
+    return {{"$schema", "http://json-schema.org/draft-07/schema#"},
+            {"title", std::string(title)},
+            {"description", std::string(description)},
+            {"type", "object"},
+            {"if", {{"required", {"extends"}}}},
+            {"then", patch},
+            {"else", full},
+            {"definitions", builder.definitions}};
+}
+
 }  // namespace grainbench::io

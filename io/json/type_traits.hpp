@@ -49,9 +49,10 @@ constexpr std::string_view type_name() {
     std::string_view text = __PRETTY_FUNCTION__;  // "... [with T = grainbench::Species; ...]"
     text.remove_prefix(text.find("T = ") + 4);
     text = text.substr(0, text.find_first_of(";]"));
-    constexpr std::string_view space = "grainbench::";
-    if (text.starts_with(space)) {
-        text.remove_prefix(space.size());
+    for (const std::string_view space : {"grainbench::", "render::"}) {
+        if (text.starts_with(space)) {
+            text.remove_prefix(space.size());
+        }
     }
     constexpr std::string_view params = "::Params";
     if (text.ends_with(params)) {
