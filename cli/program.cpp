@@ -10,6 +10,7 @@
 #include "cli/doctor_command.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/export_command.hpp"
+#include "cli/figures_command.hpp"
 #include "cli/run_command.hpp"
 #include "cli/schema_command.hpp"
 #include "cli/verify_command.hpp"
@@ -39,6 +40,7 @@ public:
         add_run();
         add_check();
         add_export();
+        add_figures();
         add_doctor();
         add_schema();
         add_verify();
@@ -108,6 +110,20 @@ private:
         });
     }
 
+    void add_figures() {
+        CLI::App* sub = app_.add_subcommand("figures", "Run and draw a set of figures");
+        sub->add_option("SET", figures_.set, "Set of figures (JSON)")->required();
+        sub->add_option("-o,--output", figures_.folder, "Folder; out/<name of the set> if absent");
+        sub->add_flag("--quick", figures_.quick, "Runs shortened as the set says, for a look");
+        sub->add_option(
+               "--jobs", figures_.jobs, "Realisations side by side; all processors if absent")
+            ->check(CLI::Range(1U, 4096U));
+        sub->add_flag("--quiet", figures_.quiet, "No talk but errors");
+        finish(*sub, "grainbench figures presets/figures/bne.json --quick", [this] {
+            return figures_command(figures_, streams_);
+        });
+    }
+
     void add_doctor() {
         CLI::App* sub =
             app_.add_subcommand("doctor", "Print versions, processor and libraries; try to draw");
@@ -116,9 +132,9 @@ private:
 
     void add_schema() {
         CLI::App* sub = app_.add_subcommand("schema", "Print what a file may hold");
-        sub->add_option("KIND", schema_kind_, "Kind of file: scene")
+        sub->add_option("KIND", schema_.kind, "Kind of file")
             ->required()
-            ->check(CLI::IsMember({"scene"}));
+            ->check(CLI::IsMember(schema_kinds()));
         sub->add_flag("--markdown", schema_.markdown, "A page to read instead of JSON Schema");
         finish(*sub, "grainbench schema scene > scene.schema.json", [this] {
             return schema_command(schema_, streams_);
@@ -219,9 +235,9 @@ private:
     CheckArguments check_;
     ExportArguments export_;
     SchemaArguments schema_;
+    FiguresArguments figures_;
     VerifyArguments verify_;
     BenchArguments bench_;
-    std::string schema_kind_;
 };
 
 int exit_code_of(ErrorKind kind) {

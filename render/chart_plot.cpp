@@ -181,12 +181,14 @@ ChartLook chart_look(std::size_t index) {
 
 vtkStandardNewMacro(SeriesPlot)
 
-    void SeriesPlot::describe(const ChartSeries& series,
+    void SeriesPlot::describe(Part part,
+                              const ChartSeries& series,
                               const ChartRanges& ranges,
                               const ChartLook& look,
                               int bar_slot,
                               int bar_slots,
                               float size) {
+    part_ = part;
     series_ = series;
     ranges_ = ranges;
     look_ = look;
@@ -194,16 +196,17 @@ vtkStandardNewMacro(SeriesPlot)
     bar_slots_ = bar_slots;
     size_ = size;
     SetLabel(series.name);
-    SetLegendVisibility(!series.name.empty());
+    SetLegendVisibility(part == Part::strokes && !series.name.empty());
 }
 
 bool SeriesPlot::Paint(vtkContext2D* painter) {
     const PixelMatrix in_pixels(painter);
+    if (part_ == Part::shade) {
+        paint_band(painter);
+        return true;
+    }
     switch (series_.kind) {
         case SeriesKind::band:
-            paint_band(painter);
-            paint_line(painter);
-            break;
         case SeriesKind::line:
             paint_line(painter);
             break;

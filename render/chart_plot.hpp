@@ -39,9 +39,13 @@ public:
     SeriesPlot(const SeriesPlot&) = delete;
     void operator=(const SeriesPlot&) = delete;
 
+    /// Shades of all bands lie below all lines, so they are plots of their own.
+    enum class Part { shade, strokes };
+
     /// \param bar_slot which of bar_slots bars at a category this is
     /// \param size of lines, markers and gaps; 1 for the usual width of a chart
-    void describe(const ChartSeries& series,
+    void describe(Part part,
+                  const ChartSeries& series,
                   const ChartRanges& ranges,
                   const ChartLook& look,
                   int bar_slot,
@@ -72,6 +76,7 @@ private:
     void paint_bar(vtkContext2D* painter, Pixel low, Pixel high) const;
     void use_line(vtkContext2D* painter, bool is_dashed) const;
 
+    Part part_ = Part::strokes;
     ChartSeries series_;
     ChartRanges ranges_;
     ChartLook look_{};

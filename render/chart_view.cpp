@@ -155,15 +155,23 @@ void ChartView::add_series() {
         std::count_if(chart_.series.begin(), chart_.series.end(), [](const ChartSeries& series) {
             return series.kind == SeriesKind::bars;
         }));
-    int bar_slot = 0;
-    for (std::size_t k = 0; k < chart_.series.size(); ++k) {
+    const auto add = [&](SeriesPlot::Part part, std::size_t k, int bar_slot) {
         const ChartSeries& series = chart_.series[k];
         const auto plot = vtkSmartPointer<SeriesPlot>::New();
-        plot->describe(
-            series, ranges_, chart_look(series.look.value_or(k)), bar_slot, bar_slots, size_);
-        bar_slot += series.kind == SeriesKind::bars ? 1 : 0;
+        const ChartLook look = chart_look(series.look.value_or(k));
+        plot->describe(part, series, ranges_, look, bar_slot, bar_slots, size_);
         view_->AddPlot(plot);
-        plots_.push_back(plot);
+        return plot;
+    };
+    for (std::size_t k = 0; k < chart_.series.size(); ++k) {
+        if (chart_.series[k].kind == SeriesKind::band) {
+            add(SeriesPlot::Part::shade, k, 0);
+        }
+    }
+    int bar_slot = 0;
+    for (std::size_t k = 0; k < chart_.series.size(); ++k) {
+        plots_.push_back(add(SeriesPlot::Part::strokes, k, bar_slot));
+        bar_slot += chart_.series[k].kind == SeriesKind::bars ? 1 : 0;
     }
     const vtkNew<NotesPlot> notes;
     notes->describe(chart_, ranges_, font_size(label_font, size_), size_);

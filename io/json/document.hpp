@@ -38,7 +38,8 @@ Document load_document(std::string_view text,
 /// Missing keys are created, an array index must exist.
 void apply_override(Json& document, std::string_view assignment);
 
-/// Rewrites each file name of a scene or a look ("$schema", the paths of imported files, "run").
+/// Rewrites each file name of a scene, a look or a figure set ("$schema", the paths of imported
+/// files, "run", the scenes of runs and the looks of figures).
 void rewrite_paths(Json& scene, const std::function<std::string(const std::string&)>& rewrite);
 
 /// Text of a value over several lines, indented by 2; numbers read back to the last bit.

@@ -49,7 +49,7 @@ constexpr std::string_view type_name() {
     std::string_view text = __PRETTY_FUNCTION__;  // "... [with T = grainbench::Species; ...]"
     text.remove_prefix(text.find("T = ") + 4);
     text = text.substr(0, text.find_first_of(";]"));
-    for (const std::string_view space : {"grainbench::", "render::"}) {
+    for (const std::string_view space : {"grainbench::", "render::", "cli::"}) {
         if (text.starts_with(space)) {
             text.remove_prefix(space.size());
         }

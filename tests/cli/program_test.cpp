@@ -17,7 +17,7 @@ TEST(Program, HelpListsTheCommandsAndEachShowsAnExample) {
     const Answer help = invoke({"--help"});
     EXPECT_EQ(help.code, 0);
     EXPECT_THAT(help.err, IsEmpty());
-    for (const std::string command : {"run", "check", "export", "doctor", "schema"}) {
+    for (const std::string command : {"run", "check", "export", "figures", "doctor", "schema"}) {
         EXPECT_THAT(help.out, HasSubstr("\n  " + command + " "));
         const Answer answer = invoke({command, "--help"});
         EXPECT_EQ(answer.code, 0) << command;
@@ -48,7 +48,7 @@ TEST(Program, WrongUsageExitsWithTwoAndSaysWhatToDo) {
         {{"run", "a.json", "--threads", "0"}, "--threads"},
         {{"run", "a.json", "--threads", "many"}, "--threads"},
         {{"export", "run", "--format", "stl"}, "--format"},
-        {{"schema", "scenery"}, "scenery not in {scene}"},
+        {{"schema", "scenery"}, "scenery not in {scene,figures}"},
     };
 
     for (const auto& [arguments, said] : cases) {
