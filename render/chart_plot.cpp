@@ -172,8 +172,11 @@ void draw_hatch(vtkContext2D* painter, Pixel low, Pixel high, float gap, bool is
 }  // namespace
 
 ChartLook chart_look(std::size_t index) {
+    // Black is the seventh colour, which no line of the palette has.
+    constexpr std::size_t colours = 7;
+    const std::size_t k = index % colours;
     return {.index = index,
-            .colour = bytes_of(line_colour(index, false)),
+            .colour = bytes_of(k + 1 == colours ? Colour{} : line_colour(k, false)),
             .dash = dashes[index % dashes.size()],
             .marker = static_cast<ChartLook::Marker>(index % markers),
             .hatch = static_cast<ChartLook::Hatch>(index % hatches)};
@@ -183,18 +186,14 @@ vtkStandardNewMacro(SeriesPlot)
 
     void SeriesPlot::describe(Part part,
                               const ChartSeries& series,
-                              const ChartRanges& ranges,
                               const ChartLook& look,
                               int bar_slot,
-                              int bar_slots,
-                              float size) {
+                              const Setting& setting) {
     part_ = part;
     series_ = series;
-    ranges_ = ranges;
     look_ = look;
     bar_slot_ = bar_slot;
-    bar_slots_ = bar_slots;
-    size_ = size;
+    setting_ = setting;
     SetLabel(series.name);
     SetLegendVisibility(part == Part::strokes && !series.name.empty());
 }
@@ -262,7 +261,7 @@ std::vector<Pixel> SeriesPlot::covered() const {
     };
     for (std::size_t k = 0; k < series_.y.size(); ++k) {
         if (series_.kind == SeriesKind::bars) {
-            const double foot = std::max(0.0, ranges_.y.low);
+            const double foot = std::max(0.0, setting_.ranges.y.low);
             add_segment(pixel_of(across(k), foot), pixel_of(across(k), series_.y[k]));
         }
         if (!series_.low.empty()) {
@@ -282,13 +281,13 @@ std::vector<Pixel> SeriesPlot::covered() const {
 }
 
 Pixel SeriesPlot::pixel_of(double x, double y) const {
-    return {pixel_along(XAxis, ranges_.x, ranges_.x.place(x), 0),
-            pixel_along(YAxis, ranges_.y, ranges_.y.place(y), 1)};
+    return {pixel_along(XAxis, setting_.ranges.x, setting_.ranges.x.place(x), 0),
+            pixel_along(YAxis, setting_.ranges.y, setting_.ranges.y.place(y), 1)};
 }
 
 double SeriesPlot::bar_place(std::size_t category) const {
     constexpr double group_width = 0.8;  // of the distance between categories
-    const double slot = (bar_slot_ + 0.5) / bar_slots_ - 0.5;
+    const double slot = (bar_slot_ + 0.5) / setting_.bar_slots - 0.5;
     return static_cast<double>(category) + group_width * slot;
 }
 
@@ -320,7 +319,7 @@ std::vector<std::vector<Pixel>> SeriesPlot::strokes() const {
 
 void SeriesPlot::use_line(vtkContext2D* painter, bool is_dashed) const {
     painter->GetPen()->SetLineType(is_dashed ? look_.dash : static_cast<int>(vtkPen::SOLID_LINE));
-    painter->GetPen()->SetWidth(line_width * size_);
+    painter->GetPen()->SetWidth(line_width * setting_.size);
     painter->GetPen()->SetColor(look_.colour[0], look_.colour[1], look_.colour[2], 255);
 }
 
@@ -355,14 +354,16 @@ void SeriesPlot::paint_line(vtkContext2D* painter) const {
     for (const std::vector<Pixel>& stroke : strokes()) {
         use_line(painter, true);
         draw_line(painter, stroke);
-        paint_markers(painter, spread(stroke, spacing * size_, offset * size_));
+        if (!setting_.is_alone) {
+            paint_markers(painter, spread(stroke, spacing * setting_.size, offset * setting_.size));
+        }
     }
 }
 
 void SeriesPlot::paint_markers(vtkContext2D* painter, const std::vector<Pixel>& points) const {
     // A white rim keeps markers apart from lines below them.
     painter->GetPen()->SetLineType(vtkPen::SOLID_LINE);
-    painter->GetPen()->SetWidth(1.0F * size_);
+    painter->GetPen()->SetWidth(1.0F * setting_.size);
     painter->GetPen()->SetColor(255, 255, 255, 255);
     painter->GetBrush()->SetTexture(nullptr);
     painter->GetBrush()->SetColor(look_.colour[0], look_.colour[1], look_.colour[2], 255);
@@ -371,7 +372,7 @@ void SeriesPlot::paint_markers(vtkContext2D* painter, const std::vector<Pixel>& 
         std::vector<float> corners;
         for (const Pixel& corner : outline) {
             for (std::size_t k = 0; k < 2; ++k) {
-                corners.push_back(point[k] + marker_radius * size_ * corner[k]);
+                corners.push_back(point[k] + marker_radius * setting_.size * corner[k]);
             }
         }
         painter->DrawPolygon(corners.data(), static_cast<int>(outline.size()));
@@ -380,15 +381,16 @@ void SeriesPlot::paint_markers(vtkContext2D* painter, const std::vector<Pixel>& 
 
 void SeriesPlot::paint_error_bars(vtkContext2D* painter) const {
     use_line(painter, false);
-    painter->GetPen()->SetWidth(1.5F * size_);
+    painter->GetPen()->SetWidth(1.5F * setting_.size);
     if (series_.kind == SeriesKind::bars) {
         painter->GetPen()->SetColor(0, 0, 0, 255);
     }
-    const float cap = 5.0F * size_;
+    const float cap = 5.0F * setting_.size;
     for (std::size_t k = 0; k < series_.low.size(); ++k) {
         const Pixel low = pixel_of(across(k), series_.low[k]);
         const Pixel high = pixel_of(across(k), series_.high[k]);
-        if (!std::isfinite(low[0] + low[1] + high[1])) {
+        const bool is_drawable = std::isfinite(low[0] + low[1] + high[1]);
+        if (!is_drawable || series_.low[k] == series_.high[k]) {
             continue;
         }
         draw_segment(painter, low, high);
@@ -398,13 +400,14 @@ void SeriesPlot::paint_error_bars(vtkContext2D* painter) const {
 }
 
 void SeriesPlot::paint_bars(vtkContext2D* painter) const {
-    const double half = 0.36 / bar_slots_;
+    const double half = 0.36 / setting_.bar_slots;
     for (std::size_t k = 0; k < series_.y.size(); ++k) {
         if (!std::isfinite(series_.y[k])) {
             continue;
         }
-        const double foot =
-            ranges_.y.scale == AxisScale::linear ? 0.0 : std::pow(10.0, ranges_.y.low);
+        const double foot = setting_.ranges.y.scale == AxisScale::linear
+                                ? 0.0
+                                : std::pow(10.0, setting_.ranges.y.low);
         const Pixel a = pixel_of(bar_place(k) - half, foot);
         const Pixel b = pixel_of(bar_place(k) + half, series_.y[k]);
         paint_bar(painter, {a[0], std::min(a[1], b[1])}, {b[0], std::max(a[1], b[1])});
@@ -413,14 +416,14 @@ void SeriesPlot::paint_bars(vtkContext2D* painter) const {
 
 void SeriesPlot::paint_bar(vtkContext2D* painter, Pixel low, Pixel high) const {
     painter->GetPen()->SetLineType(vtkPen::SOLID_LINE);
-    painter->GetPen()->SetWidth(size_);
+    painter->GetPen()->SetWidth(setting_.size);
     painter->GetPen()->SetColor(40, 40, 40, 255);
     painter->GetBrush()->SetTexture(nullptr);
     painter->GetBrush()->SetColor(look_.colour[0], look_.colour[1], look_.colour[2], 255);
     painter->DrawRect(low[0], low[1], high[0] - low[0], high[1] - low[1]);
     painter->GetPen()->SetColor(255, 255, 255, 255);
-    painter->GetPen()->SetWidth(2.0F * size_);
-    const float gap = 12.0F * size_;
+    painter->GetPen()->SetWidth(2.0F * setting_.size);
+    const float gap = 12.0F * setting_.size;
     if (look_.hatch == ChartLook::Hatch::rising || look_.hatch == ChartLook::Hatch::crossed) {
         draw_hatch(painter, low, high, gap, true);
     }

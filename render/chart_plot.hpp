@@ -42,15 +42,20 @@ public:
     /// Shades of all bands lie below all lines, so they are plots of their own.
     enum class Part { shade, strokes };
 
-    /// \param bar_slot which of bar_slots bars at a category this is
-    /// \param size of lines, markers and gaps; 1 for the usual width of a chart
+    /// What a series shares with others of its chart.
+    struct Setting {
+        ChartRanges ranges;
+        int bar_slots = 1;      ///< bars at each category
+        bool is_alone = false;  ///< no other series: a line needs no markers to be told apart
+        float size = 1.0F;      ///< of lines, markers and gaps; 1 for the usual width of a chart
+    };
+
+    /// \param bar_slot which of the bars at a category this is
     void describe(Part part,
                   const ChartSeries& series,
-                  const ChartRanges& ranges,
                   const ChartLook& look,
                   int bar_slot,
-                  int bar_slots,
-                  float size);
+                  const Setting& setting);
 
     bool Paint(vtkContext2D* painter) override;
     bool PaintLegend(vtkContext2D* painter, const vtkRectf& rect, int index) override;
@@ -78,11 +83,9 @@ private:
 
     Part part_ = Part::strokes;
     ChartSeries series_;
-    ChartRanges ranges_;
     ChartLook look_{};
     int bar_slot_ = 0;
-    int bar_slots_ = 1;
-    float size_ = 1.0F;
+    Setting setting_;
 };
 
 /// Vertical lines and texts of a chart, in pixels.

@@ -83,6 +83,7 @@ ChartView::ChartView(const Chart& chart, Offscreen& offscreen)
     lay_out();
     add_series();
     style_axes();
+    offscreen_.window()->Render();  // lays out the axes
     place_legend();
     add_titles();
 }
@@ -155,11 +156,15 @@ void ChartView::add_series() {
         std::count_if(chart_.series.begin(), chart_.series.end(), [](const ChartSeries& series) {
             return series.kind == SeriesKind::bars;
         }));
+    const SeriesPlot::Setting setting{.ranges = ranges_,
+                                      .bar_slots = bar_slots,
+                                      .is_alone = chart_.series.size() == 1,
+                                      .size = size_};
     const auto add = [&](SeriesPlot::Part part, std::size_t k, int bar_slot) {
         const ChartSeries& series = chart_.series[k];
         const auto plot = vtkSmartPointer<SeriesPlot>::New();
         const ChartLook look = chart_look(series.look.value_or(k));
-        plot->describe(part, series, ranges_, look, bar_slot, bar_slots, size_);
+        plot->describe(part, series, look, bar_slot, setting);
         view_->AddPlot(plot);
         return plot;
     };
@@ -209,13 +214,14 @@ void ChartView::style_axis(int index, const AxisRange& range, std::vector<Tick> 
     target->SetCustomTickPositions(places, labels);
 }
 
-/// Inside the axes where it covers no data, else to the right of them.
+/// Inside the axes where it covers no data, else to the right of them. What a single series is, the
+/// titles say.
 void ChartView::place_legend() {
     const auto named =
         std::count_if(chart_.series.begin(), chart_.series.end(), [](const ChartSeries& series) {
             return !series.name.empty();
         });
-    if (named == 0) {
+    if (named == 0 || chart_.series.size() == 1) {
         return;
     }
     view_->SetShowLegend(true);

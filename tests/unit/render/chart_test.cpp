@@ -140,7 +140,8 @@ TEST(Chart, DrawsALegendThatCoversNoData) {
     // A line along the whole upper edge and one along the right one leave one corner.
     const TemporaryFolder folder;
     Chart chart = every_kind();
-    chart.series = {{.name = "edge", .x = {0.0, 1.0, 1.0}, .y = {1.0, 1.0, 0.0}}};
+    chart.series = {{.name = "edge", .x = {0.0, 1.0, 1.0}, .y = {1.0, 1.0, 0.0}},
+                    {.name = "same", .x = {0.0, 1.0}, .y = {1.0, 1.0}}};
     chart.vertical_lines.clear();
     chart.texts.clear();
     chart.width = 960;
@@ -156,6 +157,27 @@ TEST(Chart, DrawsALegendThatCoversNoData) {
         }
     }
     EXPECT_GT(blue, 50);
+}
+
+TEST(Chart, CentresItsTitlesWithoutALegend) {
+    const TemporaryFolder folder;
+    Chart chart = two_bars();
+    chart.x.label = "WWWW";
+    write_chart(chart, folder / "a", {});
+    const Image image = read_png(folder / "a.png");
+    std::vector<int> dark;  // columns, in the rows of the title of the axis
+    for (int y = chart.height - 15; y < chart.height - 4; ++y) {
+        for (int x = 0; x < chart.width; ++x) {
+            const auto at = 3 * static_cast<std::size_t>(y * chart.width + x);
+            if (image.rgb[at] < 128) {
+                dark.push_back(x);
+            }
+        }
+    }
+    ASSERT_FALSE(dark.empty());
+    const auto [left, right] = std::minmax_element(dark.begin(), dark.end());
+    EXPECT_NEAR(0.5 * (*left + *right), 0.5 * chart.width, 0.1 * chart.width);
+    EXPECT_LT(*right - *left, 0.3 * chart.width);
 }
 
 TEST(Chart, RefusesColumnsThatDifferInLength) {
