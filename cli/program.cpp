@@ -7,10 +7,12 @@
 #include "cli/bench_command.hpp"
 #include "cli/build_info.hpp"
 #include "cli/check_command.hpp"
+#include "cli/compare_command.hpp"
 #include "cli/doctor_command.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/export_command.hpp"
 #include "cli/figures_command.hpp"
+#include "cli/render_command.hpp"
 #include "cli/run_command.hpp"
 #include "cli/schema_command.hpp"
 #include "cli/verify_command.hpp"
@@ -39,8 +41,10 @@ public:
         app_.footer("Data goes to stdout, talk to stderr. `grainbench COMMAND --help` tells more.");
         add_run();
         add_check();
+        add_render();
         add_export();
         add_figures();
+        add_compare();
         add_doctor();
         add_schema();
         add_verify();
@@ -92,6 +96,28 @@ private:
                [this] { return check_command(check_, streams_); });
     }
 
+    void add_render() {
+        CLI::App* sub = app_.add_subcommand("render", "Draw the particles of a run");
+        sub->add_option("SOURCE", render_.source, "Run folder, or a look that names one")
+            ->required()
+            ->type_name("RUN_DIR|SPEC.json");
+        sub->add_option(
+            "-o,--output", render_.folder, "Folder for the pictures; RUN_DIR/pictures if absent");
+        sub->add_option("--look", render_.look, "How to draw: a file as in presets/render");
+        sub->add_option("--time", render_.times, "Draw the frame nearest to this; may be repeated")
+            ->allow_extra_args(false)
+            ->type_name("SECONDS|first|last");
+        sub->add_option("--size", render_.size, "Pixels")->type_name("WIDTHxHEIGHT");
+        sub->add_option(
+               "--set", render_.overrides, "Change the look: /json/pointer=value; may be repeated")
+            ->allow_extra_args(false)
+            ->type_name("POINTER=VALUE");
+        sub->add_flag("--quiet", render_.quiet, "No talk but errors");
+        finish(*sub,
+               "grainbench render out/bne-quick --look presets/render/top-layer.json --time 6",
+               [this] { return render_command(render_, streams_); });
+    }
+
     void add_export() {
         CLI::App* sub =
             app_.add_subcommand("export", "Write the frames of a run in another format");
@@ -121,6 +147,21 @@ private:
         sub->add_flag("--quiet", figures_.quiet, "No talk but errors");
         finish(*sub, "grainbench figures presets/figures/bne.json --quick", [this] {
             return figures_command(figures_, streams_);
+        });
+    }
+
+    void add_compare() {
+        CLI::App* sub = app_.add_subcommand("compare", "Say how alike two pictures are");
+        sub->add_option("A", compare_.first, "PNG file")->required();
+        sub->add_option("B", compare_.second, "PNG file of the same size")->required();
+        sub->add_option(
+            "-o,--output", compare_.difference, "PNG file that shows where they differ");
+        sub->add_option("--threshold", compare_.threshold, "Exit code 4 if 1 - SSIM is more")
+            ->check(CLI::Range(0.0, 2.0))
+            ->capture_default_str();
+        sub->add_flag("--json", compare_.json, "Print JSON in place of text");
+        finish(*sub, "grainbench compare baseline.png new.png -o difference.png", [this] {
+            return compare_command(compare_, streams_);
         });
     }
 
@@ -233,7 +274,9 @@ private:
     std::function<int()> command_;
     RunArguments run_;
     CheckArguments check_;
+    RenderArguments render_;
     ExportArguments export_;
+    CompareArguments compare_;
     SchemaArguments schema_;
     FiguresArguments figures_;
     VerifyArguments verify_;

@@ -2,6 +2,8 @@
 
 #include "io/json/schema.hpp"
 
+#include "render/look_json.hpp"
+
 #include "cli/exit_codes.hpp"
 #include "cli/figures/figure_set.hpp"
 
@@ -18,7 +20,8 @@ struct Kind {
 };
 
 constexpr std::array kinds{Kind{"scene", io::scene_schema, io::scene_reference},
-                           Kind{"figures", figure_set_schema, figure_set_reference}};
+                           Kind{"figures", figure_set_schema, figure_set_reference},
+                           Kind{"render", render::look_schema, render::look_reference}};
 
 }  // namespace
 

@@ -15,11 +15,10 @@
 
 namespace grainbench::io {
 
-/// Reads strictly, with "extends" and overrides "/json/pointer=value". T names its format. Throws
+/// A document with overrides "/json/pointer=value" applied; T names its format. Throws
 /// Error(bad_input) that lists every problem that the field table knows of.
 template <Described T>
-T read_described(const std::filesystem::path& file, std::span<const std::string> overrides = {}) {
-    Document document = load_document(file);
+T described_of(Document document, std::span<const std::string> overrides) {
     for (const std::string& assignment : overrides) {
         apply_override(document.json, assignment);
     }
@@ -35,6 +34,12 @@ T read_described(const std::filesystem::path& file, std::span<const std::string>
              .next_step = "hand in a file of the format " + std::string(T::format_name)});
     }
     return value;
+}
+
+/// The same for a file, which may use "extends".
+template <Described T>
+T read_described(const std::filesystem::path& file, std::span<const std::string> overrides = {}) {
+    return described_of<T>(load_document(file), overrides);
 }
 
 }  // namespace grainbench::io

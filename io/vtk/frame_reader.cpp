@@ -17,8 +17,11 @@
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
+#include <algorithm>
 #include <map>
+#include <numeric>
 #include <stdexcept>
+#include <utility>
 
 namespace grainbench::io {
 namespace {
@@ -53,6 +56,75 @@ ParticleFrame particles_of(vtkUnstructuredGrid* grid) {
     frame.force = vectors("force");
     frame.contacts = integers("contacts");
     return frame;
+}
+
+std::vector<std::string> texts_of(vtkFieldData* fields, const char* name) {
+    auto* array = vtkStringArray::SafeDownCast(fields->GetAbstractArray(name));
+    std::vector<std::string> texts;
+    for (vtkIdType k = 0; array != nullptr && k < array->GetNumberOfValues(); ++k) {
+        texts.push_back(array->GetValue(k));
+    }
+    return texts;
+}
+
+std::string text_of(vtkFieldData* fields, const char* name) {
+    const std::vector<std::string> texts = texts_of(fields, name);
+    if (texts.empty()) {
+        throw std::runtime_error("it has no array '" + std::string(name) + "'");
+    }
+    return texts.front();
+}
+
+Provenance provenance_of(vtkFieldData* fields) {
+    return {.program = text_of(fields, "program"),
+            .scene_title = text_of(fields, "scene_title"),
+            .scene_hash = text_of(fields, "scene_hash"),
+            .seed = int64_of(fields->GetArray("seed"), "seed", 1).front(),
+            .species_names = texts_of(fields, "species_names")};
+}
+
+PointArray array_of(vtkDataArray* array) {
+    PointArray result{.name = array->GetName() == nullptr ? "" : array->GetName(),
+                      .components = static_cast<std::size_t>(array->GetNumberOfComponents()),
+                      .values = {}};
+    result.values.reserve(static_cast<std::size_t>(array->GetNumberOfValues()));
+    for (vtkIdType k = 0; k < array->GetNumberOfTuples(); ++k) {
+        for (int c = 0; c < array->GetNumberOfComponents(); ++c) {
+            result.values.push_back(array->GetComponent(k, c));
+        }
+    }
+    return result;
+}
+
+ParticleFile file_of(vtkUnstructuredGrid* grid) {
+    ParticleFile file{particles_of(grid), provenance_of(grid->GetFieldData()), {}};
+    vtkPointData* arrays = grid->GetPointData();
+    for (int k = 0; k < arrays->GetNumberOfArrays(); ++k) {
+        if (vtkDataArray* array = arrays->GetArray(k)) {  // null for texts
+            file.arrays.push_back(array_of(array));
+        }
+    }
+    return file;
+}
+
+TraceTable traces_of(vtkPolyData* data) {
+    const std::vector<Vec3> position = positions_of(data->GetPoints());
+    vtkPointData* arrays = data->GetPointData();
+    const std::size_t count = position.size();
+    const std::vector<double> time = doubles_of(arrays->GetArray("time"), "time", count);
+    const std::vector<Vec3> velocity = vectors_of(arrays->GetArray("velocity"), "velocity", count);
+    const std::vector<std::int64_t> id = int64_of(arrays->GetArray("id"), "id", count);
+    std::vector<std::size_t> order(count);
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return std::pair(id[a], time[a]) < std::pair(id[b], time[b]);
+    });
+    TraceTable traces;
+    for (const std::size_t k : order) {
+        traces.time.push_back(time[k]);
+        traces.points.push_back({.id = id[k], .position = position[k], .velocity = velocity[k]});
+    }
+    return traces;
 }
 
 /// Adds a polygon to its wall and maps points of the file to points of the wall.
@@ -132,6 +204,14 @@ auto read_with(const std::filesystem::path& path, Convert convert) {
 
 ParticleFrame read_particles_frame(const std::filesystem::path& path) {
     return read_with<vtkXMLUnstructuredGridReader>(path, particles_of);
+}
+
+ParticleFile read_particles_file(const std::filesystem::path& path) {
+    return read_with<vtkXMLUnstructuredGridReader>(path, file_of);
+}
+
+TraceTable read_traces(const std::filesystem::path& path) {
+    return read_with<vtkXMLPolyDataReader>(path, traces_of);
 }
 
 WallFrame read_walls_frame(const std::filesystem::path& path) {

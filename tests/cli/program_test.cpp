@@ -17,7 +17,8 @@ TEST(Program, HelpListsTheCommandsAndEachShowsAnExample) {
     const Answer help = invoke({"--help"});
     EXPECT_EQ(help.code, 0);
     EXPECT_THAT(help.err, IsEmpty());
-    for (const std::string command : {"run", "check", "export", "figures", "doctor", "schema"}) {
+    for (const std::string command :
+         {"run", "check", "render", "figures", "export", "compare", "doctor", "schema"}) {
         EXPECT_THAT(help.out, HasSubstr("\n  " + command + " "));
         const Answer answer = invoke({command, "--help"});
         EXPECT_EQ(answer.code, 0) << command;
@@ -48,7 +49,7 @@ TEST(Program, WrongUsageExitsWithTwoAndSaysWhatToDo) {
         {{"run", "a.json", "--threads", "0"}, "--threads"},
         {{"run", "a.json", "--threads", "many"}, "--threads"},
         {{"export", "run", "--format", "stl"}, "--format"},
-        {{"schema", "scenery"}, "scenery not in {scene,figures}"},
+        {{"schema", "scenery"}, "scenery not in {scene,figures,render}"},
     };
 
     for (const auto& [arguments, said] : cases) {
