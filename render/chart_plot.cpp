@@ -454,7 +454,11 @@ bool NotesPlot::Paint(vtkContext2D* painter) {
     text->SetFontFamilyToArial();
     const float gap = 5.0F * size_;
     for (const VerticalLine& line : chart_.vertical_lines) {
-        const float x = pixel_along(XAxis, ranges_.x, ranges_.x.place(line.x), 0);
+        const double place = ranges_.x.place(line.x);
+        if (!(place >= ranges_.x.low && place <= ranges_.x.high)) {
+            continue;
+        }
+        const float x = pixel_along(XAxis, ranges_.x, place, 0);
         const float bottom = YAxis->GetPosition1()[1];
         const float top = YAxis->GetPosition2()[1];
         painter->GetPen()->SetLineType(vtkPen::DASH_LINE);
@@ -463,20 +467,61 @@ bool NotesPlot::Paint(vtkContext2D* painter) {
         draw_segment(painter, {x, bottom}, {x, top});
         text->SetOrientation(90.0);
         text->SetJustificationToRight();
-        text->SetVerticalJustificationToBottom();
-        painter->ApplyTextProp(text);
-        painter->DrawString(x - gap, top - gap, line.text.c_str());
+        paint_text(painter, text, {x - gap, top - gap}, line.text);
     }
     text->SetOrientation(0.0);
     text->SetJustificationToLeft();
-    text->SetVerticalJustificationToBottom();
-    painter->ApplyTextProp(text);
     for (const ChartText& note : chart_.texts) {
-        painter->DrawString(pixel_along(XAxis, ranges_.x, ranges_.x.place(note.x), 0),
-                            pixel_along(YAxis, ranges_.y, ranges_.y.place(note.y), 1),
-                            note.text.c_str());
+        paint_text(painter,
+                   text,
+                   {pixel_along(XAxis, ranges_.x, ranges_.x.place(note.x), 0),
+                    pixel_along(YAxis, ranges_.y, ranges_.y.place(note.y), 1)},
+                   note.text);
     }
     return true;
+}
+
+std::vector<Pixel> NotesPlot::covered() const {
+    std::vector<Pixel> points;
+    const float bottom = YAxis->GetPosition1()[1];
+    const float top = YAxis->GetPosition2()[1];
+    const auto text_height = static_cast<float>(font_size_);
+    for (const VerticalLine& line : chart_.vertical_lines) {
+        const float x = pixel_along(XAxis, ranges_.x, ranges_.x.place(line.x), 0);
+        for (float y = bottom; y <= top; y += text_height) {
+            points.push_back({x, y});
+            points.push_back({x - text_height, y});
+        }
+    }
+    return points;
+}
+
+/// On a light ground, so that it can be read where lines run through it.
+void NotesPlot::paint_text(vtkContext2D* painter,
+                           vtkTextProperty* property,
+                           Pixel corner,
+                           const std::string& text) const {
+    if (text.empty()) {
+        return;
+    }
+    const double turned = property->GetOrientation();
+    property->SetVerticalJustificationToBottom();
+    property->SetOrientation(0.0);
+    painter->ApplyTextProp(property);
+    std::array<float, 4> box{};  // x, y, width, height
+    painter->ComputeStringBounds(text.c_str(), box.data());
+    painter->GetPen()->SetLineType(vtkPen::NO_PEN);
+    painter->GetBrush()->SetTexture(nullptr);
+    painter->GetBrush()->SetColor(255, 255, 255, 210);
+    if (turned == 0.0) {
+        painter->DrawRect(corner[0], corner[1], box[2], box[3]);
+    } else {
+        // Turned by a quarter, the text ends at the corner and stands to the left of it.
+        painter->DrawRect(corner[0] - box[3], corner[1] - box[2], box[3], box[2]);
+    }
+    property->SetOrientation(turned);
+    painter->ApplyTextProp(property);
+    painter->DrawString(corner[0], corner[1], text.c_str());
 }
 
 vtkStandardNewMacro(TitlesItem)

@@ -16,6 +16,8 @@
 #include <array>
 #include <vector>
 
+class vtkTextProperty;
+
 namespace grainbench::render {
 
 /// How a series looks: told apart by colour, and without colour by dash, marker or hatch.
@@ -99,11 +101,19 @@ public:
 
     bool Paint(vtkContext2D* painter) override;
 
+    /// Where the lines and the words beside them are, in pixels.
+    std::vector<Pixel> covered() const;
+
 protected:
     NotesPlot() = default;
     ~NotesPlot() override = default;
 
 private:
+    void paint_text(vtkContext2D* painter,
+                    vtkTextProperty* property,
+                    Pixel corner,
+                    const std::string& text) const;
+
     Chart chart_;
     ChartRanges ranges_;
     int font_size_ = 12;

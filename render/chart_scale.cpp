@@ -182,8 +182,16 @@ std::string tick_text(double value, double step) {
     }
     const double largest = std::max(std::abs(value), std::abs(step));
     if (largest >= 1e5 || largest < 1e-3) {
-        const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-9));
-        return fmt::format("{:.4g}e{}", value / std::pow(10.0, exponent), exponent);
+        const auto exponent_of = [](double x) {
+            return static_cast<int>(std::floor(std::log10(std::abs(x)) + 1e-9));
+        };
+        const int exponent = exponent_of(value);
+        std::string mantissa = fmt::format(
+            "{:.{}f}", value / std::pow(10.0, exponent), std::max(0, exponent - exponent_of(step)));
+        if (mantissa.find('.') != std::string::npos) {
+            mantissa.erase(mantissa.find_last_not_of("0.") + 1);
+        }
+        return fmt::format("{}e{}", mantissa, exponent);
     }
     const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
     return fmt::format("{:.{}f}", value, decimals);

@@ -2,8 +2,6 @@
 
 #include "io/atomic_file.hpp"
 
-#include "render/chart_plot.hpp"
-
 #include <fmt/format.h>
 #include <vtkAxis.h>
 #include <vtkBrush.h>
@@ -178,9 +176,8 @@ void ChartView::add_series() {
         plots_.push_back(add(SeriesPlot::Part::strokes, k, bar_slot));
         bar_slot += chart_.series[k].kind == SeriesKind::bars ? 1 : 0;
     }
-    const vtkNew<NotesPlot> notes;
-    notes->describe(chart_, ranges_, font_size(label_font, size_), size_);
-    view_->AddPlot(notes);
+    notes_->describe(chart_, ranges_, font_size(label_font, size_), size_);
+    view_->AddPlot(notes_);
 }
 
 void ChartView::style_axes() {
@@ -234,7 +231,7 @@ void ChartView::place_legend() {
     legend->SetInline(true);
     offscreen_.window()->Render();  // lays out axes and legend
 
-    std::vector<Pixel> covered;
+    std::vector<Pixel> covered = notes_->covered();
     for (const auto& plot : plots_) {
         const std::vector<Pixel> points = plot->covered();
         covered.insert(covered.end(), points.begin(), points.end());

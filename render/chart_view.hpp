@@ -3,6 +3,7 @@
 #pragma once
 
 #include "render/chart.hpp"
+#include "render/chart_plot.hpp"
 #include "render/chart_scale.hpp"
 #include "render/offscreen.hpp"
 
@@ -16,9 +17,6 @@
 #include <vector>
 
 namespace grainbench::render {
-
-class SeriesPlot;
-class TitlesItem;
 
 class ChartView {
 public:
@@ -50,6 +48,7 @@ private:
     vtkNew<vtkContextActor> actor_;
     vtkNew<vtkChartXY> view_;
     std::vector<vtkSmartPointer<SeriesPlot>> plots_;
+    vtkNew<NotesPlot> notes_;
 };
 
 }  // namespace grainbench::render

@@ -47,6 +47,10 @@ TEST(ChartTicks, StandAtRoundNumbers) {
                 ElementsAre("-0.3", "-0.2", "-0.1", "0", "0.1"));
     EXPECT_THAT(labels_of(ticks_of(linear(0.0, 2.1e-5), 4)),
                 ElementsAre("0", "5e-6", "1e-5", "1.5e-5", "2e-5"));
+    EXPECT_THAT(labels_of(ticks_of(linear(1234400.0, 1235600.0), 3)),
+                ElementsAre("1.2345e6", "1.235e6", "1.2355e6"));
+    EXPECT_THAT(labels_of(ticks_of(linear(-2.1e6, 1.1e6), 3)),
+                ElementsAre("-2e6", "-1e6", "0", "1e6"));
 }
 
 TEST(ChartTicks, OfALogarithmicAxisStandAtPowersOfTen) {
