@@ -4,6 +4,9 @@
 #include "io/hdf5/history.hpp"
 #include "io/json/scene_json.hpp"
 
+#include "render/look_json.hpp"
+#include "render/snapshot.hpp"
+
 #include "cli/build_info.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/figures/figure_chart.hpp"
@@ -15,6 +18,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -26,15 +30,23 @@ namespace fs = std::filesystem;
 /// Runs whose scene is not enough for the figures.
 std::set<std::string> runs_to_do(const FigureSet& set) {
     std::set<std::string> names;
-    const auto add = Overloaded{
-        [&](const HistoryCurve& curve) { names.insert(curve.run); },
-        [&](const SummaryCurve& curve) { names.insert(curve.runs.begin(), curve.runs.end()); },
-        [](const WallVelocityCurve&) {},
-        [](const TableCurve&) {}};
+    const auto add = Overloaded{[&](const HistoryCurve& curve) { names.insert(curve.run); },
+                                [&](const SummaryCurve& curve) {
+                                    names.insert(curve.runs.begin(), curve.runs.end());
+                                    if (curve.relative_to) {
+                                        names.insert(*curve.relative_to);
+                                    }
+                                },
+                                [](const WallVelocityCurve&) {},
+                                [](const TableCurve&) {}};
     for (const Figure& figure : set.figures) {
-        for (const Curve& curve : std::get<ChartFigure>(figure).curves) {
-            std::visit(add, curve);
-        }
+        std::visit(Overloaded{[&](const ChartFigure& chart) {
+                                  for (const Curve& curve : chart.curves) {
+                                      std::visit(add, curve);
+                                  }
+                              },
+                              [&](const SnapshotFigure& snapshot) { names.insert(snapshot.run); }},
+                   figure);
     }
     return names;
 }
@@ -85,8 +97,18 @@ private:
         return exit_interrupted;
     }
 
-    /// The scene of each run, and a job for those that a figure needs done.
+    render::Look look_of(const SnapshotFigure& figure) const {
+        return render::read_look(arguments_.set.parent_path() / figure.look, figure.set);
+    }
+
+    /// The scene of each run, and a job for those that a figure needs done. Whatever file is wrong
+    /// is wrong now, not after the runs.
     void plan() {
+        for (const Figure& figure : set_.figures) {
+            if (const auto* snapshot = std::get_if<SnapshotFigure>(&figure)) {
+                look_of(*snapshot);
+            }
+        }
         const std::set<std::string> wanted = runs_to_do(set_);
         for (std::size_t k = 0; k < set_.runs.size(); ++k) {
             const FigureRun& run = set_.runs[k];
@@ -124,6 +146,7 @@ private:
         for (std::size_t k = 0; k < jobs_.size(); ++k) {
             ShownRun& run = runs_.at(jobs_[k].name);
             run.manifest = results[k].manifest;
+            folder_of_run_[jobs_[k].name] = results[k].folder;
             run.history = io::read_history(results[k].folder / "history.h5");
             for (io::RealisationHistory& realisation : run.history.realisations) {
                 realisation.traces = {};  // drawn from its own file
@@ -180,6 +203,30 @@ private:
         talk(fmt::format("drew {}\n", figure.name));
     }
 
+    void draw(const SnapshotFigure& figure) {
+        render::SnapshotPainter painter(
+            folder_of_run_.at(figure.run), look_of(figure), index_.program);
+        IndexFigure entry;
+        entry.name = figure.name;
+        entry.caption = figure.caption;
+        std::set<std::size_t> frames;
+        const bool has_quick = arguments_.quick && !figure.quick_times.empty();
+        for (const double time : has_quick ? figure.quick_times : figure.times) {
+            frames.insert(painter.nearest(time));
+        }
+        for (const std::size_t frame : frames) {
+            const std::string time = fmt::format("{:.4g}", painter.times().at(frame));
+            const std::string name =
+                frames.size() == 1 ? figure.name : fmt::format("{}-{}s", figure.name, time);
+            const render::Snapshot snapshot = painter.draw(frame);
+            io::make_folder(folder_ / "figures");
+            render::write_png(stem_of(name).string() + ".png", snapshot.image, snapshot.text);
+            entry.pictures.push_back({.file = "figures/" + name + ".png", .note = time + " s"});
+            talk(fmt::format("drew {}\n", name));
+        }
+        index_.figures.push_back(std::move(entry));
+    }
+
     const FiguresArguments& arguments_;
     const Streams& streams_;
     Interrupt interrupt_;
@@ -187,6 +234,7 @@ private:
     fs::path folder_;
     ShownRuns runs_;
     std::vector<Job> jobs_;
+    std::map<std::string, fs::path> folder_of_run_;
     FigureIndex index_;
     int code_ = exit_ok;
 };

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <string_view>
+#include <tuple>
 #include <utility>
 
 namespace grainbench::cli {
@@ -48,8 +48,6 @@ double quantity_of(const io::RealisationManifest& realisation, Quantity quantity
             return summary.largest_overlap_ratio;
         case Quantity::entrainment_time:
             return summary.entrainment_time.value_or(std::numeric_limits<double>::quiet_NaN());
-        case Quantity::wall_seconds:
-            return realisation.wall_seconds;
         case Quantity::cpu_seconds:
             return realisation.cpu_seconds;
         case Quantity::particle_steps_per_second:
@@ -87,7 +85,8 @@ public:
         chart_.y = axis_of(figure.y);
         chart_.categories = figure.categories;
         for (const FigureLine& line : figure.vertical_lines) {
-            chart_.vertical_lines.push_back({.x = line.x, .text = line.text});
+            chart_.vertical_lines.push_back(
+                std::visit([&](const auto& each) { return line_of(each); }, line));
         }
     }
 
@@ -105,6 +104,31 @@ private:
         return asked ? static_cast<std::size_t>(*asked) : otherwise;
     }
 
+    /// When a stage of a run begins and ends [s].
+    std::pair<double, double> times_of(const std::string& run, std::int64_t stage) const {
+        const std::vector<Stage>& stages = run_of(run).scene.stages;
+        if (stage >= static_cast<std::int64_t>(stages.size())) {
+            throw_bad_input({.what = fmt::format("the run '{}' has no stage {}", run, stage),
+                             .where = where(),
+                             .likely_cause = fmt::format("stages count from 0, and there are {}",
+                                                         stages.size()),
+                             .next_step = "compare with `stages` of the scene"});
+        }
+        double begin = 0.0;
+        for (std::int64_t k = 0; k < stage; ++k) {
+            begin += stages[static_cast<std::size_t>(k)].duration;
+        }
+        return {begin, begin + stages[static_cast<std::size_t>(stage)].duration};
+    }
+
+    render::VerticalLine line_of(const LineAt& line) const {
+        return {.x = line.x, .text = line.text};
+    }
+
+    render::VerticalLine line_of(const LineAtStage& line) const {
+        return {.x = figure_.x.factor * times_of(line.run, line.stage).first, .text = line.text};
+    }
+
     std::string where() const { return "figure '" + figure_.name + "'"; }
 
     void add(const HistoryCurve& curve) {
@@ -119,13 +143,16 @@ private:
 
     void add_history(const HistoryCurve& curve) {
         const ShownRun& run = run_of(curve.run);
+        double begin = 0.0;
+        double end = std::numeric_limits<double>::infinity();
+        if (curve.stage) {
+            std::tie(begin, end) = times_of(curve.run, *curve.stage);
+        }
+        end = std::min(end, curve.until.value_or(end));
         std::vector<TimeSeries> series;
         for (const io::RealisationHistory& realisation : run.history.realisations) {
-            series.push_back(time_series(realisation.history,
-                                         curve.column,
-                                         curve.period.value_or(0.0),
-                                         curve.from.value_or(0.0),
-                                         curve.to.value_or(std::numeric_limits<double>::max())));
+            series.push_back(time_series(
+                realisation.history, curve.column, curve.period.value_or(0.0), begin, end));
         }
         const std::string name = curve.name.empty() ? run.label : curve.name;
         const std::size_t look = look_of(curve.look, run.look);
@@ -196,27 +223,37 @@ private:
                          .next_step = "compare with `stages` of the scene"});
     }
 
+    /// Over the realisations of a run that have such a number; not a number if none has.
+    statistics::Sample sample_of(const std::string& run, Quantity quantity) const {
+        std::vector<double> values;
+        for (const io::RealisationManifest& each : run_of(run).manifest.realisations) {
+            const double value = quantity_of(each, quantity);
+            if (std::isfinite(value)) {
+                values.push_back(value);
+            }
+        }
+        statistics::Sample sample = statistics::sample_of(values);
+        if (values.empty()) {
+            sample.mean = std::numeric_limits<double>::quiet_NaN();
+        }
+        return sample;
+    }
+
     void add(const SummaryCurve& curve) {
         ChartSeries series{.name = curve.name,
                            .kind = kind_of(curve.draw),
                            .x = curve.x,
                            .look = look_of(curve.look, chart_.series.size())};
+        const double unit = curve.relative_to
+                                ? 1.0 / sample_of(*curve.relative_to, curve.quantity).mean
+                                : figure_.y.factor;
         bool has_spread = false;
         for (const std::string& name : curve.runs) {
-            std::vector<double> values;
-            for (const io::RealisationManifest& each : run_of(name).manifest.realisations) {
-                const double value = quantity_of(each, curve.quantity);
-                if (std::isfinite(value)) {
-                    values.push_back(value * figure_.y.factor);
-                }
-            }
-            const statistics::Sample sample = statistics::sample_of(values);
-            const double mean =
-                values.empty() ? std::numeric_limits<double>::quiet_NaN() : sample.mean;
-            series.y.push_back(mean);
-            series.low.push_back(mean - sample.deviation);
-            series.high.push_back(mean + sample.deviation);
-            has_spread = has_spread || values.size() > 1;
+            const statistics::Sample sample = sample_of(name, curve.quantity);
+            series.y.push_back(unit * sample.mean);
+            series.low.push_back(unit * (sample.mean - sample.deviation));
+            series.high.push_back(unit * (sample.mean + sample.deviation));
+            has_spread = has_spread || sample.count > 1;
         }
         if (!has_spread) {
             series.low.clear();
@@ -257,13 +294,13 @@ private:
 TimeSeries time_series(const io::HistoryTable& history,
                        const std::string& column,
                        double period,
-                       double from,
-                       double to) {
+                       double begin,
+                       double end) {
     const std::vector<double>& time = history.column("time");
     const std::vector<double>& value = history.column(column);
     TimeSeries series;
     const auto add = [&](double t, double v) {
-        if (std::isfinite(v) && t >= from && t <= to) {
+        if (std::isfinite(v) && t >= begin && t <= end) {
             series.time.push_back(t);
             series.value.push_back(v);
         }
@@ -276,13 +313,13 @@ TimeSeries time_series(const io::HistoryTable& history,
     }
     std::size_t row = 0;
     for (int interval = 1; row < time.size(); ++interval) {
-        const double end = interval * period;
-        // Half an interval later the average has certainly been taken, and the next one not.
-        while (row < time.size() && time[row] <= end + 0.5 * period) {
+        const double now = interval * period;
+        // Half an interval later the average has been taken, and the next one not.
+        while (row < time.size() && time[row] <= now + 0.5 * period) {
             ++row;
         }
-        if (row > 0 && time[row - 1] > end) {
-            add(end, value[row - 1]);
+        if (row > 0 && time[row - 1] > now + 0.25 * period) {
+            add(now, value[row - 1]);
         }
     }
     return series;

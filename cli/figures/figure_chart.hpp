@@ -39,14 +39,14 @@ struct TimeSeries {
     std::vector<double> value;
 };
 
-/// A column of a history between two times, without what is not a number.
+/// A column of a history from begin to end, without what is not a number.
 /// \param period 0, or the length of the intervals that the column holds averages of: one point at
 /// the end of each. The average of an interval stands in the rows of the next one.
 TimeSeries time_series(const io::HistoryTable& history,
                        const std::string& column,
                        double period,
-                       double from,
-                       double to);
+                       double begin,
+                       double end);
 
 /// Mean of several series and its spread, at the times of the first one that all of them reach.
 struct MeanSeries {

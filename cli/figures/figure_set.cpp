@@ -83,11 +83,27 @@ private:
             const Place curve = curves.child(k);
             std::visit([&](const auto& each) { check_curve(curve, each); }, figure.curves[k]);
         }
+        const Place lines = place.child("vertical_lines");
+        for (std::size_t k = 0; k < figure.vertical_lines.size(); ++k) {
+            if (const auto* line = std::get_if<LineAtStage>(&figure.vertical_lines[k])) {
+                check_run(lines.child(k), line->run);
+            }
+        }
         if (figure.curves.empty()) {
             problems_.add({.pointer = curves.pointer(),
                            .what = "a chart without curves shows nothing",
                            .likely_cause = "an entry that was begun",
                            .next_step = "add a curve, or remove the figure"});
+        }
+    }
+
+    void check_figure(const Place& place, const SnapshotFigure& figure) {
+        check_run(place.child("run"), figure.run);
+        if (figure.times.empty()) {
+            problems_.add({.pointer = place.child("times").pointer(),
+                           .what = "no time is given, so there is nothing to draw",
+                           .likely_cause = "an entry that was begun",
+                           .next_step = "give the times of the frames, or remove the figure"});
         }
     }
 
@@ -103,6 +119,9 @@ private:
         const Place runs = place.child("runs");
         for (std::size_t k = 0; k < curve.runs.size(); ++k) {
             check_run(runs.child(k), curve.runs[k]);
+        }
+        if (curve.relative_to) {
+            check_run(place.child("relative_to"), *curve.relative_to);
         }
         check_length(
             place.child("x"), curve.x.size(), curve.draw == Draw::bars ? 0 : curve.runs.size());

@@ -71,8 +71,8 @@ struct HistoryCurve {
     std::string column;
     Show show = Show::mean;
     std::optional<double> period;
-    std::optional<double> from;
-    std::optional<double> to;
+    std::optional<std::int64_t> stage;
+    std::optional<double> until;
     std::string name;
     std::optional<std::int64_t> look;
 
@@ -92,8 +92,12 @@ struct HistoryCurve {
                   positive(),
                   "the column holds averages over intervals of this length: one point at the end "
                   "of each"),
-            field(&HistoryCurve::from, "from", "s", any_number(), "first time shown"),
-            field(&HistoryCurve::to, "to", "s", any_number(), "last time shown"),
+            field(&HistoryCurve::stage,
+                  "stage",
+                  "1",
+                  at_least(0),
+                  "only this stage of the run, from 0; absent = all of it"),
+            field(&HistoryCurve::until, "until", "s", positive(), "last time shown"),
             field(&HistoryCurve::name,
                   "name",
                   "",
@@ -142,7 +146,6 @@ enum class Quantity {
     mean_timestep,
     largest_overlap_ratio,
     entrainment_time,
-    wall_seconds,
     cpu_seconds,
     particle_steps_per_second
 };
@@ -156,6 +159,7 @@ struct SummaryCurve {
     static constexpr std::string_view key = "summary";
     std::vector<std::string> runs;
     Quantity quantity = Quantity::cycles;
+    std::optional<std::string> relative_to;
     std::vector<double> x;
     Draw draw = Draw::bars;
     std::string name;
@@ -165,6 +169,12 @@ struct SummaryCurve {
         return std::tuple{
             required(&SummaryCurve::runs, "runs", "", any_number(), "names of the runs"),
             required(&SummaryCurve::quantity, "quantity", "", any_number(), "what is drawn"),
+            field(&SummaryCurve::relative_to,
+                  "relative_to",
+                  "",
+                  any_number(),
+                  "name of a run: numbers are divided by its mean, and say by what factor they "
+                  "differ"),
             field(&SummaryCurve::x, "x", "", any_number(), "where each run stands; not for bars"),
             field(&SummaryCurve::draw, "draw", "", any_number(), "line, points or bars"),
             field(&SummaryCurve::name, "name", "", any_number(), "in the legend"),
@@ -228,15 +238,33 @@ struct FigureAxis {
     }
 };
 
-struct FigureLine {
+/// A dashed line where a number of the axis is.
+struct LineAt {
+    static constexpr std::string_view key = "at";
     double x = 0.0;
     std::string text;
 
     static constexpr auto fields() {
-        return std::tuple{required(&FigureLine::x, "x", "", any_number(), "where it stands"),
-                          field(&FigureLine::text, "text", "", any_number(), "beside it")};
+        return std::tuple{required(&LineAt::x, "x", "", any_number(), "where it stands"),
+                          field(&LineAt::text, "text", "", any_number(), "beside it")};
     }
 };
+
+/// A dashed line where a stage of a run begins.
+struct LineAtStage {
+    static constexpr std::string_view key = "stage";
+    std::string run;
+    std::int64_t stage = 0;
+    std::string text;
+
+    static constexpr auto fields() {
+        return std::tuple{required(&LineAtStage::run, "run", "", any_number(), "name of the run"),
+                          required(&LineAtStage::stage, "stage", "1", at_least(0), "stage, from 0"),
+                          field(&LineAtStage::text, "text", "", any_number(), "beside it")};
+    }
+};
+
+using FigureLine = std::variant<LineAt, LineAtStage>;
 
 struct ChartFigure {
     static constexpr std::string_view key = "chart";
@@ -270,7 +298,46 @@ struct ChartFigure {
     }
 };
 
-using Figure = std::variant<ChartFigure>;
+/// Frames of a run, each as one picture.
+struct SnapshotFigure {
+    static constexpr std::string_view key = "snapshot";
+    std::string name;
+    std::string caption;
+    std::string run;
+    std::string look;
+    std::vector<std::string> set;
+    std::vector<double> times;
+    std::vector<double> quick_times;
+
+    static constexpr auto fields() {
+        return std::tuple{
+            required(&SnapshotFigure::name, "name", "", any_number(), "name of its files"),
+            required(&SnapshotFigure::caption, "caption", "", any_number(), "on the index page"),
+            required(&SnapshotFigure::run, "run", "", any_number(), "name of the run"),
+            required(&SnapshotFigure::look,
+                     "look",
+                     "",
+                     any_number(),
+                     "file that says how to draw it, relative to this file"),
+            field(&SnapshotFigure::set,
+                  "set",
+                  "",
+                  any_number(),
+                  "changes of the look, as \"/json/pointer=value\""),
+            required(&SnapshotFigure::times,
+                     "times",
+                     "s",
+                     at_least(0.0),
+                     "one picture for each, of the frame that is nearest"),
+            field(&SnapshotFigure::quick_times,
+                  "quick_times",
+                  "s",
+                  at_least(0.0),
+                  "in place of `times` with --quick")};
+    }
+};
+
+using Figure = std::variant<ChartFigure, SnapshotFigure>;
 
 struct FigureSet {
     static constexpr std::string_view format_name = "grainbench-figures/1";
@@ -336,12 +403,11 @@ struct EnumNames<cli::Draw> {
 
 template <>
 struct EnumNames<cli::Quantity> {
-    static constexpr std::array<std::pair<cli::Quantity, std::string_view>, 7> value{
+    static constexpr std::array<std::pair<cli::Quantity, std::string_view>, 6> value{
         {{cli::Quantity::cycles, "cycles"},
          {cli::Quantity::mean_timestep, "mean_timestep"},
          {cli::Quantity::largest_overlap_ratio, "largest_overlap_ratio"},
          {cli::Quantity::entrainment_time, "entrainment_time"},
-         {cli::Quantity::wall_seconds, "wall_seconds"},
          {cli::Quantity::cpu_seconds, "cpu_seconds"},
          {cli::Quantity::particle_steps_per_second, "particle_steps_per_second"}}};
 };

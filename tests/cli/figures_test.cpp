@@ -2,6 +2,8 @@
 #include "io/atomic_file.hpp"
 #include "io/json/scene_json.hpp"
 
+#include "render/image.hpp"
+
 #include "cli/figures/figure_chart.hpp"
 #include "cli/figures/figure_index.hpp"
 #include "cli/figures/figure_set.hpp"
@@ -30,7 +32,7 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 // A few roundings of numbers of order one.
 constexpr double round_off = 16.0 * std::numeric_limits<double>::epsilon();
 
-/// Two runs of the cup, three charts.
+/// Two runs of the cup, three charts and frames of one run.
 constexpr const char* cup_set = R"({
   "format": "grainbench-figures/1",
   "title": "Balls in a cup & more",
@@ -52,17 +54,31 @@ constexpr const char* cup_set = R"({
     {"type": "chart", "name": "wall", "caption": "Velocity of the cup.",
      "x": {"label": "time", "unit": "s"}, "y": {"label": "velocity", "unit": "m/s"},
      "curves": [{"type": "wall_velocity", "run": "rough", "wall": "cup", "stage": 1,
-                 "duration": 0.05}]}]
+                 "duration": 0.05}]},
+    {"type": "snapshot", "name": "cup", "caption": "The cup.", "run": "rough", "look": "look.json",
+     "set": ["/width=160"], "times": [0, 0.1, 0.2], "quick_times": [0, 0.1]}]
+})";
+
+constexpr const char* small_look = R"({
+  "format": "grainbench-render/1", "width": 320, "height": 100, "particles": {}, "walls": {}
 })";
 
 class Figures : public testing::Test {
 protected:
     Figures() {
         io::write_file(folder_ / "cup.json", cup_scene);
+        io::write_file(folder_ / "look.json", small_look);
         write_set(cup_set);
     }
 
     void write_set(const std::string& text) { io::write_file(folder_ / "set.json", text); }
+
+    /// The set with its first figure only.
+    void write_short_set() {
+        const std::string text = cup_set;
+        write_set(text.substr(0, text.find(",\n    {\"type\": \"chart\", \"name\": \"cycles\"")) +
+                  "]}");
+    }
 
     /// The set with one part of it replaced.
     void write_set_with(const std::string& before, const std::string& after) {
@@ -99,9 +115,12 @@ TEST_F(Figures, LandAsPictureDrawingAndNumbersWithAnIndexPage) {
                       HasSubstr("Kinetic energy &lt; of both."),
                       HasSubstr("<img src=\"figures/energy.png\""),
                       HasSubstr("cup.json /contact/friction/coefficient=0.1"),
+                      HasSubstr("<img src=\"figures/cup-0.1s.png\""),
                       HasSubstr("Made with --quick")));
     EXPECT_THAT(text("index.md"),
                 AllOf(HasSubstr("![](figures/energy.png)"), HasSubstr("| finished |")));
+    EXPECT_EQ(render::read_png(folder_ / "out/figures/cup-0.1s.png").size.width, 160);
+    EXPECT_FALSE(io::file_exists(folder_ / "out/figures/cup-0.2s.png"));
     // Both realisations of one run, in the units of the axis: 0.12 s are 120 ms.
     EXPECT_THAT(text("figures/energy.csv"),
                 AllOf(HasSubstr("less friction 2,"), HasSubstr(",120")));
@@ -109,6 +128,7 @@ TEST_F(Figures, LandAsPictureDrawingAndNumbersWithAnIndexPage) {
 }
 
 TEST_F(Figures, AreDrawnAgainFromTheCacheToTheSameBytes) {
+    write_short_set();
     ASSERT_EQ(draw({"--quick"}).code, 0);
     const std::string before = text("figures/energy.png");
     const std::string page = text("index.html");
@@ -120,8 +140,11 @@ TEST_F(Figures, AreDrawnAgainFromTheCacheToTheSameBytes) {
 }
 
 TEST_F(Figures, RunOnlyWhatChanged) {
+    write_short_set();
     ASSERT_EQ(draw({"--quick"}).code, 0);
-    write_set_with("coefficient=0.1", "coefficient=0.2");
+    std::string text = io::read_file(folder_ / "set.json");
+    const std::string before = "coefficient=0.1";
+    write_set(text.replace(text.find(before), before.size(), "coefficient=0.2"));
     EXPECT_THAT(draw({"--quick"}).err, HasSubstr("1 to do"));
 }
 
@@ -134,6 +157,8 @@ TEST_F(Figures, NameEveryMistakeOfASet) {
     EXPECT_THAT(draw().err, HasSubstr("'../wall' cannot be a name"));
     write_set_with(R"("quantity": "cycles")", R"("quantity": "cycles", "draw": "points")");
     EXPECT_THAT(draw().err, HasSubstr("0 numbers where 2 belong"));
+    write_set_with(R"("times": [0, 0.1, 0.2])", R"("times": [])");
+    EXPECT_THAT(draw().err, HasSubstr("no time is given"));
     write_set_with("grainbench-figures/1", "grainbench-scene/1");
     EXPECT_EQ(draw().code, 2);
     write_set_with(R"("scene": "cup.json"},)", R"("scene": "cap.json"},)");
@@ -148,6 +173,14 @@ TEST_F(Figures, NameAColumnOrAWallThatThereIsNot) {
                 AllOf(HasSubstr("'energy'"), HasSubstr("figure 'energy'"), HasSubstr("kinetic_")));
     write_set_with(R"("wall": "cup", "stage": 1)", R"("wall": "cap", "stage": 1)");
     EXPECT_THAT(draw({"--quick"}).err, AllOf(HasSubstr("'cap'"), HasSubstr("figure 'wall'")));
+}
+
+TEST_F(Figures, NameALookThatThereIsNot) {
+    write_set_with("look.json", "looks.json");
+    const Answer answer = draw({"--quick"});
+    EXPECT_EQ(answer.code, 2);
+    EXPECT_THAT(answer.err, HasSubstr("looks.json"));
+    EXPECT_THAT(answer.err, Not(HasSubstr("runs ended"))) << "it was said after the runs only";
 }
 
 TEST(FigureSchema, IsFresh) {
@@ -177,6 +210,24 @@ TEST(FigurePreset, ReadsWithAllItsScenesQuickAndWhole) {
     EXPECT_GT(count, 0);
 }
 
+TEST(FigurePreset, SmallSetIsDrawnQuickly) {
+    const TemporaryFolder folder;
+    const std::string set =
+        std::string(GRAINBENCH_SOURCE_DIR) + "/presets/figures/calibration.json";
+    const Answer answer = invoke({"figures", set, "--quick", "-o", folder.path().string()});
+    EXPECT_EQ(answer.code, 0) << answer.err;
+    // Softer spheres take fewer cycles: the rows are in the order of the stiffness.
+    const std::string csv = io::read_file(folder / "figures/cycles.csv");
+    std::vector<double> cycles;
+    for (const std::string stiffness : {"10000", "1e+05", "1e+06"}) {
+        const std::string row = "grainbench," + stiffness + ",";
+        ASSERT_THAT(csv, HasSubstr(row));
+        cycles.push_back(std::stod(csv.substr(csv.find(row) + row.size())));
+    }
+    EXPECT_LT(2.0 * cycles[0], cycles[1]);
+    EXPECT_LT(2.0 * cycles[1], cycles[2]);
+}
+
 io::HistoryTable history_of(std::vector<double> time, std::vector<double> value) {
     io::HistoryTable table;
     table.columns = {{.name = "time", .unit = "s", .doc = ""},
@@ -193,9 +244,10 @@ TEST(FigureSeries, LeavesOutWhatIsNoNumberOrOutsideOfTheTimes) {
 }
 
 TEST(FigureSeries, TakesAnAverageFromTheIntervalAfterItsOwn) {
-    // Averages over [0, 1] and [1, 2] are 5 and 7; the first interval shows what it has so far.
-    const auto table =
-        history_of({0.0, 0.4, 0.8, 1.0001, 1.4, 1.8, 2.0001, 2.4}, {none, 3, 4, 4.5, 5, 5, 5, 7});
+    // Averages over [0, 1] and [1, 2] are 5 and 7; the first interval shows what it has so far, and
+    // that of [2, 3] is not known yet in its last row.
+    const auto table = history_of({0.0, 0.4, 0.8, 1.0001, 1.4, 1.8, 2.0001, 2.4, 3.0},
+                                  {none, 3, 4, 4.5, 5, 5, 5, 7, 7});
     const TimeSeries series = time_series(table, "value", 1.0, 0.0, 10.0);
     EXPECT_THAT(series.time, ElementsAre(1.0, 2.0));
     EXPECT_THAT(series.value, ElementsAre(5.0, 7.0));
