@@ -15,6 +15,7 @@
 #include "cli/render_command.hpp"
 #include "cli/run_command.hpp"
 #include "cli/schema_command.hpp"
+#include "cli/study_command.hpp"
 #include "cli/verify_command.hpp"
 
 #include <CLI/CLI.hpp>
@@ -49,6 +50,7 @@ public:
         add_schema();
         add_verify();
         add_bench();
+        add_study();
     }
 
     /// \param arguments in reverse order, as CLI11 wants them
@@ -210,6 +212,27 @@ private:
         });
     }
 
+    void add_study() {
+        CLI::App* sub = app_.add_subcommand(
+            "study", "Compare settings of a scene: what accuracy costs in time");
+        sub->add_option("STUDY", study_.study, "Study file (JSON)");
+        sub->add_option("--suggest", study_.suggest, "Make and run a small study for this scene")
+            ->type_name("SCENE");
+        sub->add_option("-o,--output",
+                        study_.folder,
+                        "Folder of the result; out/<name of the study> if absent");
+        sub->add_option(
+            "--cache", study_.cache, "Folder of run folders to use again; DIR/runs if absent");
+        sub->add_option("--threads", study_.threads, "Runs side by side; all processors if absent")
+            ->check(CLI::Range(1U, 4096U));
+        sub->add_flag("--quick", study_.quick, "A shortened study, to see that it runs");
+        sub->add_flag("--quiet", study_.quiet, "No talk but errors");
+        sub->add_flag("--json", study_.json, "Print JSON in place of the table");
+        finish(*sub, "grainbench study presets/studies/timestep.json --quick", [this] {
+            return study_command(study_, streams_);
+        });
+    }
+
     /// Gives a command its example and what it does.
     void finish(CLI::App& sub, const std::string& example, std::function<int()> command) {
         sub.footer("Example:\n  " + example);
@@ -281,6 +304,7 @@ private:
     FiguresArguments figures_;
     VerifyArguments verify_;
     BenchArguments bench_;
+    StudyArguments study_;
 };
 
 int exit_code_of(ErrorKind kind) {

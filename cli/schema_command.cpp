@@ -1,6 +1,7 @@
 #include "cli/schema_command.hpp"
 
 #include "io/json/schema.hpp"
+#include "io/study.hpp"
 
 #include "render/look_json.hpp"
 
@@ -21,7 +22,8 @@ struct Kind {
 
 constexpr std::array kinds{Kind{"scene", io::scene_schema, io::scene_reference},
                            Kind{"figures", figure_set_schema, figure_set_reference},
-                           Kind{"render", render::look_schema, render::look_reference}};
+                           Kind{"render", render::look_schema, render::look_reference},
+                           Kind{"study", io::study_schema, io::study_reference}};
 
 }  // namespace
 

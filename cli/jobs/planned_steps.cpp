@@ -18,13 +18,32 @@ double planned_timestep(const Timestep& scheme, double limit) {
         scheme);
 }
 
-double planned_cycles(const Scene& scene) {
+ParticleFrame one_particle_of_each(const Scene& scene) {
     ParticleFrame one_of_each;
     for (std::size_t s = 0; s < scene.particles.species.size(); ++s) {
         one_of_each.id.push_back(static_cast<std::int64_t>(s) + 1);
         one_of_each.species.push_back(static_cast<std::int32_t>(s));
         one_of_each.radius.push_back(scene.particles.species[s].radius);
     }
+    return one_of_each;
+}
+
+double shortest_contact(const Scene& scene) {
+    const ParticleFrame one_of_each = one_particle_of_each(scene);
+    const Contact* contact = &scene.contact;
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const Stage& stage : scene.stages) {
+        contact = stage.contact ? &*stage.contact : contact;
+        const ContactScales scales = contact_scales(scene, *contact, one_of_each);
+        if (!scales.times.empty()) {
+            shortest = std::min(shortest, scales.times.front().duration);
+        }
+    }
+    return shortest;
+}
+
+double planned_cycles(const Scene& scene) {
+    const ParticleFrame one_of_each = one_particle_of_each(scene);
     const Contact* contact = &scene.contact;
     const Timestep* scheme = &scene.timestep;
     double cycles = 0.0;

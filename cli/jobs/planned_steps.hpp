@@ -3,6 +3,7 @@
 /// automatic steps shrink with the number of contacts.
 #pragma once
 
+#include "core/frame.hpp"
 #include "core/scene.hpp"
 
 namespace grainbench::cli {
@@ -10,6 +11,12 @@ namespace grainbench::cli {
 /// Step that a scheme starts from with one lone contact [s].
 /// \param limit of that contact, SingleContactLimit::timestep [s]
 double planned_timestep(const Timestep& scheme, double limit);
+
+/// A particle of each species, for what depends on their size alone.
+ParticleFrame one_particle_of_each(const Scene& scene);
+
+/// Duration of the shortest contact of all stages [s]; infinite without particles or stiffness.
+double shortest_contact(const Scene& scene);
 
 /// Over all stages [1]; what imported particles are is not looked at.
 double planned_cycles(const Scene& scene);

@@ -5,7 +5,8 @@
 /// Source   (1) NIST Digital Library of Mathematical Functions 8.17 with the definition of the
 ///          distribution; (2) the same, 8.17.22, evaluated by the modified Lentz algorithm.
 /// Symbols  nu degrees of freedom [1], any positive number; I_x regularised incomplete beta
-/// Limits   error of a probability below 1e-11 for nu from 0.5 to 1e4 and below 1e-9 at 1e6, from the
+/// Limits   error of a probability below 1e-11 for nu from 0.5 to 1e4 and below 1e-9 at 1e6, from
+/// the
 ///          logarithms of large gamma functions
 #pragma once
 

@@ -158,6 +158,7 @@ void rewrite_paths(Json& scene, const std::function<std::string(const std::strin
     rewrite_at(scene, "run", rewrite);  // of a look (render/look.hpp)
     each_in(scene, "runs", [&](Json& run) { rewrite_at(run, "scene", rewrite); });
     each_in(scene, "figures", [&](Json& figure) { rewrite_at(figure, "look", rewrite); });
+    rewrite_at(scene, "scene", rewrite);  // of a study (io/study.hpp)
     each_in(scene, "walls", [&](Json& wall) {
         if (wall.is_object() && wall.contains("shape")) {
             rewrite_at(wall["shape"], "path", rewrite);
