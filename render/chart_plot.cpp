@@ -268,6 +268,19 @@ std::vector<Pixel> SeriesPlot::covered() const {
             add_segment(pixel_of(across(k), series_.low[k]), pixel_of(across(k), series_.high[k]));
         }
     }
+    for (std::size_t k = 1; k < series_.low.size() && series_.kind == SeriesKind::band; ++k) {
+        const auto between = [&](const std::vector<double>& edge, float t) {
+            const Pixel a = pixel_of(series_.x[k - 1], edge[k - 1]);
+            const Pixel b = pixel_of(series_.x[k], edge[k]);
+            return Pixel{a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])};
+        };
+        const float length = between(series_.low, 1.0F)[0] - between(series_.low, 0.0F)[0];
+        const int pieces = std::clamp(static_cast<int>(length / step), 1, 1000);
+        for (int piece = 0; piece < pieces; ++piece) {
+            const float t = static_cast<float>(piece) / static_cast<float>(pieces);
+            add_segment(between(series_.low, t), between(series_.high, t));
+        }
+    }
     for (const std::vector<Pixel>& stroke : strokes()) {
         points.push_back(stroke.front());
         for (std::size_t k = 1; k < stroke.size() && series_.kind != SeriesKind::points; ++k) {
@@ -361,12 +374,20 @@ void SeriesPlot::paint_line(vtkContext2D* painter) const {
 }
 
 void SeriesPlot::paint_markers(vtkContext2D* painter, const std::vector<Pixel>& points) const {
-    // A white rim keeps markers apart from lines below them.
+    // Every other series of points is hollow, so that points that coincide are both seen. On lines
+    // a white rim keeps markers apart from the lines below them.
+    const bool is_hollow = series_.kind == SeriesKind::points && look_.index % 2 == 1;
+    const auto [red, green, blue] = look_.colour;
     painter->GetPen()->SetLineType(vtkPen::SOLID_LINE);
-    painter->GetPen()->SetWidth(1.0F * setting_.size);
-    painter->GetPen()->SetColor(255, 255, 255, 255);
+    painter->GetPen()->SetWidth((is_hollow ? line_width : 1.0F) * setting_.size);
     painter->GetBrush()->SetTexture(nullptr);
-    painter->GetBrush()->SetColor(look_.colour[0], look_.colour[1], look_.colour[2], 255);
+    if (is_hollow) {
+        painter->GetPen()->SetColor(red, green, blue, 255);
+        painter->GetBrush()->SetColor(255, 255, 255, 0);
+    } else {
+        painter->GetPen()->SetColor(255, 255, 255, 255);
+        painter->GetBrush()->SetColor(red, green, blue, 255);
+    }
     const std::vector<Pixel> outline = outline_of(look_.marker);
     for (const Pixel& point : points) {
         std::vector<float> corners;

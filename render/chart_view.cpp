@@ -35,7 +35,7 @@ int font_size(float points, float size) {
 
 std::string axis_title(const ChartAxis& axis) {
     const bool has_unit = !axis.unit.empty() && axis.unit != "1";
-    return has_unit ? axis.label + " (" + axis.unit + ")" : axis.label;
+    return has_unit ? axis.label + " [" + axis.unit + "]" : axis.label;
 }
 
 /// Mends what the exporter of VTK 9.1 gets wrong: it leaves out the clip rectangle that it refers
