@@ -82,6 +82,8 @@ private:
         sub->add_flag("--quiet", run_.quiet, "No talk but errors");
         sub->add_flag("--json", run_.json, "Print the manifest of the run");
         sub->add_flag("--history-csv", run_.history_csv, "Write history.csv as well");
+        sub->add_option(
+            "--look", run_.look, "Draw every frame in the end, as `render --look` does");
         finish(*sub,
                "grainbench run presets/scenes/bne-quick.json -o out/first"
                " --set /contact/friction/coefficient=0.3",

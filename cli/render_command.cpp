@@ -15,18 +15,12 @@
 
 #include <charconv>
 #include <limits>
+#include <numeric>
 
 namespace grainbench::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// What is to be drawn, and how its files are called.
-struct Job {
-    fs::path run;
-    render::Look look;
-    std::string name;
-};
 
 [[noreturn]] void throw_usage(const std::string& what, const std::string& next_step) {
     throw_bad_input({.what = what,
@@ -62,85 +56,105 @@ double time_of(const std::string& text) {
     return time;
 }
 
-Job job_of(const RenderArguments& arguments) {
+/// The look of a file that names its run.
+RenderJob job_of_order(const fs::path& file, const std::vector<std::string>& overrides) {
+    RenderJob job{.run = {},
+                  .look = render::read_look(file, overrides),
+                  .name = file.stem().string(),
+                  .folder = {}};
+    if (job.look.run.empty()) {
+        throw_bad_input(
+            {.what = "the look names no run folder",
+             .where = file.string() + ", /run",
+             .likely_cause = "it is a look for any run",
+             .next_step = fmt::format("grainbench render RUN_DIR --look {}", file.string())});
+    }
+    job.run = job.look.run;
+    return job;
+}
+
+RenderJob job_of(const RenderArguments& arguments) {
     std::vector<std::string> overrides = arguments.overrides;
     if (!arguments.size.empty()) {
         add_size(arguments.size, overrides);
     }
+    RenderJob job;
     if (arguments.source.extension() == ".json") {
         if (!arguments.look.empty()) {
             throw_usage("a look file and --look are two looks",
                         "hand in a run folder with --look, or one look that names its run");
         }
-        Job job{{}, render::read_look(arguments.source, overrides), {}};
-        job.run = job.look.run;
-        job.name = arguments.source.stem().string();
-        if (job.run.empty()) {
-            throw_bad_input({.what = "the look names no run folder",
-                             .where = arguments.source.string() + ", /run",
-                             .likely_cause = "it is a look for any run",
-                             .next_step = fmt::format("grainbench render RUN_DIR --look {}",
-                                                      arguments.source.string())});
+        job = job_of_order(arguments.source, overrides);
+    } else {
+        job.run = arguments.source;
+        const bool is_default = arguments.look.empty();
+        job.look = is_default ? render::default_look(render::run_has_layers(job.run), overrides)
+                              : render::read_look(arguments.look, overrides);
+        job.name = is_default ? "particles" : arguments.look.stem().string();
+    }
+    if (!arguments.times.empty()) {
+        job.look.times.clear();
+        for (const std::string& text : arguments.times) {
+            job.look.times.push_back(time_of(text));
         }
-        return job;
     }
-    if (arguments.look.empty()) {
-        return {arguments.source,
-                render::default_look(render::run_has_layers(arguments.source), overrides),
-                "particles"};
-    }
-    return {arguments.source,
-            render::read_look(arguments.look, overrides),
-            arguments.look.stem().string()};
+    job.folder = arguments.folder.empty() ? job.run / "pictures" : arguments.folder;
+    return job;
 }
 
 /// Numbers of the frames to draw.
 std::vector<std::size_t> frames_of(const render::SnapshotPainter& painter,
-                                   const RenderArguments& arguments,
                                    const render::Look& look) {
-    std::vector<double> times = look.times;
-    if (!arguments.times.empty()) {
-        times.clear();
-        for (const std::string& text : arguments.times) {
-            times.push_back(time_of(text));
-        }
-    }
     std::vector<std::size_t> frames;
-    for (const double time : times) {
+    for (const double time : look.times) {
         frames.push_back(painter.nearest(time));
     }
-    if (times.empty()) {
-        for (std::size_t frame = 0; frame < painter.times().size(); ++frame) {
-            frames.push_back(frame);
-        }
+    if (look.times.empty()) {
+        frames.resize(painter.times().size());
+        std::iota(frames.begin(), frames.end(), 0);
     }
     return frames;
 }
 
 }  // namespace
 
-int render_command(const RenderArguments& arguments, const Streams& streams) {
-    const Job job = job_of(arguments);
+RenderJob job_of_look(const fs::path& run, const fs::path& look) {
+    return {.run = run,
+            .look = render::read_look(look),
+            .name = look.stem().string(),
+            .folder = run / "pictures"};
+}
+
+void draw_pictures(const RenderJob& job,
+                   const std::function<void(const fs::path&, std::size_t)>& on_picture) {
     const BuildInfo build = build_info();
     render::SnapshotPainter painter(
         job.run, job.look, fmt::format("grainbench {} ({})", build.version, build.git_hash));
-    const std::vector<std::size_t> frames = frames_of(painter, arguments, job.look);
-    const fs::path folder = arguments.folder.empty() ? job.run / "pictures" : arguments.folder;
-    io::make_folder(folder);
-    for (std::size_t k = 0; k < frames.size(); ++k) {
-        const fs::path file = folder / fmt::format("{}_{}.png", job.name, io::padded(frames[k]));
-        const render::Snapshot snapshot = painter.draw(frames[k]);
+    const std::vector<std::size_t> frames = frames_of(painter, job.look);
+    io::make_folder(job.folder);
+    for (const std::size_t frame : frames) {
+        const fs::path file = job.folder / fmt::format("{}_{}.png", job.name, io::padded(frame));
+        const render::Snapshot snapshot = painter.draw(frame);
         render::write_png(file, snapshot.image, snapshot.text);
-        streams.out << file.string() << "\n";
-        if (!arguments.quiet && streams.err_is_terminal) {
-            streams.err << fmt::format("\r{} of {} pictures ", k + 1, frames.size());
-        }
+        on_picture(file, frames.size());
     }
+}
+
+int render_command(const RenderArguments& arguments, const Streams& streams) {
+    const RenderJob job = job_of(arguments);
+    std::size_t done = 0;
+    draw_pictures(job, [&](const fs::path& file, std::size_t count) {
+        streams.out << file.string() << "\n";
+        ++done;
+        if (!arguments.quiet && streams.err_is_terminal) {
+            streams.err << fmt::format("\r{} of {} pictures ", done, count);
+        }
+    });
     if (!arguments.quiet) {
         streams.err << fmt::format("{}{} pictures in {}\n",
                                    streams.err_is_terminal ? "\r" : "",
-                                   frames.size(),
-                                   folder.string());
+                                   done,
+                                   job.folder.string());
     }
     return exit_ok;
 }

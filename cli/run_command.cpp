@@ -8,6 +8,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/jobs/scene_run.hpp"
 #include "cli/progress.hpp"
+#include "cli/render_command.hpp"
 #include "cli/run_report.hpp"
 
 #include <fmt/format.h>
@@ -78,6 +79,11 @@ public:
                {.resume = arguments.resume, .history_csv = arguments.history_csv}) {}
 
     int execute() {
+        std::optional<RenderJob> pictures;
+        if (!arguments_.look.empty()) {
+            // Now, so that a run does not end in the error of a look.
+            pictures = job_of_look(run_.folder(), arguments_.look);
+        }
         if (!run_.warning().empty()) {
             talk(fmt::format("warning: {}\n", run_.warning()));
         }
@@ -97,6 +103,10 @@ public:
         if (manifest.outcome == "unstable") {
             streams_.err << "grainbench: " << manifest.message << "\n";
             return exit_unstable;
+        }
+        if (pictures) {
+            draw_pictures(*pictures, [](const std::filesystem::path&, std::size_t) {});
+            talk(fmt::format("pictures in {}\n", pictures->folder.string()));
         }
         return exit_ok;
     }

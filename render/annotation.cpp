@@ -11,9 +11,12 @@
 namespace grainbench::render {
 namespace {
 
-constexpr double largest_share = 0.024;  // of the picture's height, for the font
-constexpr double smallest_font = 7.0;    // pixels; less cannot be read
-constexpr double largest_side = 0.38;    // of the picture's width, for legend and colour bars
+constexpr double font_share = 0.019;       // of the side of a square as large as the picture
+constexpr double largest_share = 0.04;     // of width and of height
+constexpr double usual_least_font = 10.0;  // pixels
+constexpr double smallest_font = 7.0;      // pixels; less cannot be read
+constexpr double least_side = 80.0;        // pixels; pictures below have no room for text
+constexpr double largest_side = 0.38;      // of the picture's width, for legend and colour bars
 
 std::vector<Colour> steps_of(ColourMap map) {
     constexpr int count = 128;
@@ -61,23 +64,28 @@ std::string time_text(double time, double interval) {
     return fmt::format("t = {:.{}f} s", time, interval > 0.0 ? decimals : 6);
 }
 
-AnnotationLayout::AnnotationLayout(Annotation annotation, ImageSize size, bool is_background_dark)
+AnnotationLayout::AnnotationLayout(Annotation annotation,
+                                   ImageSize size,
+                                   bool is_background_dark,
+                                   int pixel_scale)
     : annotation_(std::move(annotation)), size_(size) {
     const Colour ink = is_background_dark ? colour_of(0xE8E8E8) : colour_of(0x202020);
     font_.colour = ink;
     bold_ = font_;
     bold_.is_bold = true;
     title_font_ = bold_;
-    // Wide panoramas and narrow strips get the font of a picture of usual shape.
-    const double height = std::min<double>(size.height, 0.75 * size.width);
-    double font_size = std::max(smallest_font, std::round(largest_share * height));
-    if (height < 100.0) {
+    const double width = size.width;
+    const double height = size.height;
+    double font_size =
+        std::min(font_share * std::sqrt(width * height), largest_share * std::min(width, height));
+    font_size = std::max(pixel_scale * usual_least_font, std::round(font_size));
+    if (std::min(width, height) < pixel_scale * least_side) {
         font_size = 0.0;  // no room for text that can be read
     }
-    while (font_size >= smallest_font && !try_font(font_size)) {
+    while (font_size >= pixel_scale * smallest_font && !try_font(font_size)) {
         font_size -= 1.0;
     }
-    if (font_size < smallest_font) {
+    if (font_size < pixel_scale * smallest_font) {
         is_empty_ = true;
         frame_ = {0.01, 0.99, 0.01, 0.99};
     }

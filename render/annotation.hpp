@@ -28,7 +28,11 @@ class AnnotationLayout {
 public:
     /// Chooses the largest font, up to a fixed share of the picture, with which all has its place.
     /// A picture too small for readable text gets none.
-    AnnotationLayout(Annotation annotation, ImageSize size, bool is_background_dark);
+    /// \param pixel_scale pixels that become one when the picture is reduced
+    AnnotationLayout(Annotation annotation,
+                     ImageSize size,
+                     bool is_background_dark,
+                     int pixel_scale);
 
     /// The part of the picture that is left for the particles.
     const Frame& frame() const { return frame_; }

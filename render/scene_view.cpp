@@ -1,7 +1,6 @@
 #include "render/scene_view.hpp"
 
 #include <vtkActor.h>
-#include <vtkBox.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkClipPolyData.h>
@@ -10,6 +9,7 @@
 #include <vtkLight.h>
 #include <vtkNew.h>
 #include <vtkOpenGLSphereMapper.h>
+#include <vtkPlane.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -80,18 +80,44 @@ vtkSmartPointer<vtkPolyData> surface_of(const std::vector<WallSurface>& walls, c
     return surface;
 }
 
-/// The part of a surface inside a box.
-vtkSmartPointer<vtkPolyData> cut(vtkPolyData* surface, const Box& box, const Vec3& shift) {
+/// The part of a surface, or of lines, inside a box: plane after plane, which is exact for flat
+/// cells.
+vtkSmartPointer<vtkPolyData> cut(vtkSmartPointer<vtkPolyData> data,
+                                 const Box& box,
+                                 const Vec3& shift) {
     const Vec3 low = box.low + shift;
     const Vec3 high = box.high + shift;
-    vtkNew<vtkBox> inside;
-    inside->SetBounds(low.x, high.x, low.y, high.y, low.z, high.z);
-    vtkNew<vtkClipPolyData> knife;
-    knife->SetInputData(surface);
-    knife->SetClipFunction(inside);
-    knife->InsideOutOn();
-    knife->Update();
-    return knife->GetOutput();
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double side : {-1.0, 1.0}) {
+            const Vec3& face = side < 0.0 ? low : high;
+            vtkNew<vtkPlane> plane;
+            plane->SetOrigin(face.x, face.y, face.z);
+            plane->SetNormal(
+                axis == 0 ? side : 0.0, axis == 1 ? side : 0.0, axis == 2 ? side : 0.0);
+            vtkNew<vtkClipPolyData> knife;
+            knife->SetInputData(data);
+            knife->SetClipFunction(plane);
+            knife->InsideOutOn();
+            knife->Update();
+            data = knife->GetOutput();
+        }
+    }
+    return data;
+}
+
+/// Rims and sharp edges of a surface, as lines.
+vtkSmartPointer<vtkPolyData> edges_of(vtkPolyData* surface) {
+    constexpr double sharp = 40.0;  // degrees; facets of a round wall meet at less
+    vtkNew<vtkFeatureEdges> edges;
+    edges->SetInputData(surface);
+    edges->BoundaryEdgesOn();
+    edges->FeatureEdgesOn();
+    edges->SetFeatureAngle(sharp);
+    edges->NonManifoldEdgesOff();
+    edges->ManifoldEdgesOff();
+    edges->ColoringOff();
+    edges->Update();
+    return edges->GetOutput();
 }
 
 /// One side of a translucent surface.
@@ -115,25 +141,13 @@ void add_sheet(vtkRenderer* renderer,
     renderer->AddActor(actor);
 }
 
-void add_edges(vtkRenderer* renderer,
-               vtkPolyData* surface,
-               const Colour& colour,
-               double line_width) {
-    constexpr double sharp = 40.0;  // degrees; facets of a round wall meet at less
-    vtkNew<vtkFeatureEdges> edges;
-    edges->SetInputData(surface);
-    edges->BoundaryEdgesOn();
-    edges->FeatureEdgesOn();
-    edges->SetFeatureAngle(sharp);
-    edges->NonManifoldEdgesOff();
-    edges->ManifoldEdgesOff();
-    edges->ColoringOff();
+void add_lines(vtkRenderer* renderer, vtkPolyData* lines, const Colour& colour, double width) {
     vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputConnection(edges->GetOutputPort());
+    mapper->SetInputData(lines);
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
     actor->GetProperty()->SetColor(colour.red, colour.green, colour.blue);
-    actor->GetProperty()->SetLineWidth(static_cast<float>(line_width));
+    actor->GetProperty()->SetLineWidth(static_cast<float>(width));
     actor->GetProperty()->LightingOff();
     renderer->AddActor(actor);
 }
@@ -197,7 +211,10 @@ void add_walls(vtkRenderer* renderer,
                double line_width,
                const Vec3& shift) {
     vtkSmartPointer<vtkPolyData> surface = surface_of(walls, shift);
+    vtkSmartPointer<vtkPolyData> edges = edges_of(surface);
     if (look.region) {
+        // Edges first, so that a cut does not look like a rim.
+        edges = cut(edges, *look.region, shift);
         surface = cut(surface, *look.region, shift);
     }
     if (surface->GetNumberOfPolys() == 0) {
@@ -210,7 +227,7 @@ void add_walls(vtkRenderer* renderer,
     }
     if (look.edges) {
         const Colour line = is_background_dark ? colour_of(0x8090A0) : colour_of(0x708090);
-        add_edges(renderer, surface, line, line_width);
+        add_lines(renderer, edges, line, line_width);
     }
 }
 

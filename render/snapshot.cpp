@@ -377,8 +377,10 @@ Snapshot SnapshotPainter::Impl::draw(std::size_t frame) {
     const ImageSize size{factor * static_cast<int>(look.width),
                          factor * static_cast<int>(look.height)};
     const io::VtkSession session;
-    const AnnotationLayout annotation(
-        annotation_of(instant, particles, traces), size, look.background == Background::dark);
+    const AnnotationLayout annotation(annotation_of(instant, particles, traces),
+                                      size,
+                                      look.background == Background::dark,
+                                      factor);
     const CameraPose pose = fit_camera(all, look.camera, size, annotation.frame());
     const double metres_per_pixel = 2.0 * pose.half_height / size.height;
 

@@ -4,6 +4,7 @@
 #include "render/image.hpp"
 
 #include "tests/cli/invoke.hpp"
+#include "tests/cli/scenes.hpp"
 #include "tests/unit/io/temporary_folder.hpp"
 #include "tests/unit/render/small_run.hpp"
 
@@ -74,6 +75,35 @@ TEST_F(RenderCommand, SaysWhatIsWrong) {
     const Answer torn = render({"--time", "first"});
     EXPECT_EQ(torn.code, 5);
     EXPECT_THAT(torn.err, HasSubstr("particles_000000.vtu"));
+}
+
+TEST_F(RenderCommand, PicturesOfARunEqualThoseDrawnLater) {
+    io::write_file(folder_ / "cup.json", cup_scene);
+    io::write_file(folder_ / "small.json",
+                   R"({"format": "grainbench-render/1", "width": 120, "height": 90,
+                       "particles": {"colour": {"type": "speed"}}, "walls": {}, "legend": {}})");
+    const auto look = (folder_ / "small.json").string();
+    const auto run = folder_ / "cup";
+    const Answer ran = invoke({"run",
+                               (folder_ / "cup.json").string(),
+                               "-o",
+                               run.string(),
+                               "--set",
+                               "/stages/0/duration=1e-4",
+                               "--set",
+                               "/stages/1/duration=1e-4",
+                               "--look",
+                               look});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    const auto later = folder_ / "later";
+    ASSERT_EQ(invoke({"render", run.string(), "--look", look, "-o", later.string()}).code, 0);
+    std::size_t count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(later)) {
+        EXPECT_EQ(io::read_file(entry.path()),
+                  io::read_file(run / "pictures" / entry.path().filename()));
+        ++count;
+    }
+    EXPECT_GE(count, 2U);
 }
 
 TEST_F(RenderCommand, CompareTellsPicturesApart) {

@@ -41,7 +41,7 @@ TEST(AnnotationLayout, LeavesRoomForParticlesAtEverySize) {
                                  {8192, 8192},
                                  {3000, 200},
                                  {200, 3000}}) {
-        const AnnotationLayout layout(all, size, false);
+        const AnnotationLayout layout(all, size, false, 1);
         const Frame& frame = layout.frame();
         EXPECT_GE(frame.left, 0.0) << size.width;
         EXPECT_GE(frame.bottom, 0.0) << size.width;
