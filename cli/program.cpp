@@ -220,6 +220,9 @@ private:
         sub->add_option("STUDY", study_.study, "Study file (JSON)");
         sub->add_option("--suggest", study_.suggest, "Make and run a small study for this scene")
             ->type_name("SCENE");
+        sub->add_flag("--single-contact",
+                      study_.single_contact,
+                      "How errors of one impact fall with the steps in it");
         sub->add_option("-o,--output",
                         study_.folder,
                         "Folder of the result; out/<name of the study> if absent");

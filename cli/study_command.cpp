@@ -10,6 +10,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/jobs/job_pool.hpp"
 #include "cli/study/report.hpp"
+#include "cli/study/single_contact.hpp"
 #include "cli/study/suggest.hpp"
 
 #include <fmt/chrono.h>
@@ -47,14 +48,38 @@ StudyOrigin origin_of(const StudyArguments& arguments) {
             .date = fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr)))};
 }
 
+void require_one_task(const StudyArguments& arguments) {
+    const int tasks = (arguments.study.empty() ? 0 : 1) + (arguments.suggest.empty() ? 0 : 1) +
+                      (arguments.single_contact ? 1 : 0);
+    if (tasks != 1) {
+        throw_bad_input(
+            {.what = tasks == 0 ? "no study was named" : "more than one study was asked for",
+             .where = "grainbench study",
+             .likely_cause = "STUDY.json, --suggest and --single-contact exclude each other",
+             .next_step = "name a study file, or --suggest SCENE.json, or --single-contact"});
+    }
+}
+
+int run_single_contact(const StudyArguments& arguments, const Streams& streams) {
+    const std::filesystem::path folder =
+        arguments.folder.empty() ? std::filesystem::path("out/single-contact") : arguments.folder;
+    StudyOrigin origin = origin_of(arguments);
+    origin.command = "grainbench study --single-contact";
+    const SingleContactResult result = study_single_contact();
+    write_single_contact_folder(result, origin, folder);
+    streams.out << single_contact_text(result);
+    if (!arguments.quiet) {
+        streams.err << fmt::format("written to {}\n", (folder / "index.html").string());
+    }
+    return exit_ok;
+}
+
 }  // namespace
 
 int study_command(const StudyArguments& arguments, const Streams& streams) {
-    if (arguments.study.empty() == arguments.suggest.empty()) {
-        throw_bad_input({.what = "no study was named, or two",
-                         .where = "grainbench study",
-                         .likely_cause = "STUDY.json and --suggest exclude each other",
-                         .next_step = "name a study file, or --suggest SCENE.json"});
+    require_one_task(arguments);
+    if (arguments.single_contact) {
+        return run_single_contact(arguments, streams);
     }
     const std::filesystem::path file = file_of(arguments);
     const io::Study study =

@@ -197,6 +197,19 @@ TEST_F(StudyCommand, WantsOneFile) {
     EXPECT_EQ(study({"--suggest", (folder_ / "cup.json").string()}).code, 2);
 }
 
+TEST(SingleContact, WritesTablesAndCharts) {
+    const TemporaryFolder folder;
+    const Answer answer = invoke({"study", "--single-contact", "-o", (folder / "out").string()});
+    ASSERT_EQ(answer.code, 0) << answer.err;
+    EXPECT_THAT(answer.out,
+                AllOf(HasSubstr("order of convergence"),
+                      ContainsRegex("incremental_spring, mode 3 "),
+                      ContainsRegex("energy after an impact: .* at 2e-5 s")));
+    for (const char* name : {"index.html", "single-contact.md", "single-contact.csv", "step.svg"}) {
+        EXPECT_TRUE(io::file_exists(folder / "out" / name)) << name;
+    }
+}
+
 /// Every file of presets/studies by its name without ".json".
 std::vector<std::string> study_names() {
     std::vector<std::string> names;
