@@ -1,5 +1,7 @@
 #include "cli/check_report.hpp"
 
+#include "core/measure/openings.hpp"
+#include "core/measure/softening.hpp"
 #include "core/simulation.hpp"
 
 #include "cli/jobs/planned_steps.hpp"
@@ -155,6 +157,9 @@ void warn(io::CheckReport& report, const Scene& scene) {
                             stage.scales.limit.timestep));
         }
     }
+    for (const std::string& warning : opening_warnings(scene)) {
+        report.warnings.push_back(warning);
+    }
     const io::DetectionCheck& detection = report.detection;
     if (detection.surest_approach && *detection.surest_approach < detection.fastest_now) {
         report.warnings.push_back(
@@ -167,6 +172,20 @@ void warn(io::CheckReport& report, const Scene& scene) {
 }
 
 }  // namespace
+
+std::vector<std::string> opening_warnings(const Scene& scene) {
+    std::vector<std::string> warnings;
+    for (const NarrowOpening& opening : narrow_openings(scene)) {
+        warnings.push_back(
+            fmt::format("only {:.1f} diameters of '{}' fit across the wall '{}'; below {:.0f} the "
+                        "walls may decide the result",
+                        opening.diameters,
+                        opening.species,
+                        opening.wall,
+                        fewest_diameters));
+    }
+    return warnings;
+}
 
 io::CheckReport check_scene(const Scene& scene, double trial_seconds) {
     const double before = resident_bytes();
@@ -184,6 +203,10 @@ io::CheckReport check_scene(const Scene& scene, double trial_seconds) {
                           std::max(resident_bytes() - before, archive_bytes(simulation));
     report.detection = check_detection(scene, report, simulation.particle_frame());
     expect_cycles(report);
+    const double fastest = std::max(report.detection.fastest_now, speed_of_fall(scene, particles));
+    for (io::StageCheck& stage : report.stages) {
+        stage.softening = softening_of(stage.scales, fastest);
+    }
 
     report.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     double particle_steps = 0.0;

@@ -12,6 +12,28 @@
 namespace grainbench::cli {
 namespace {
 
+/// Softer contacts are proposed from here on; less is not worth a study.
+constexpr double worthwhile_speed_up = 1.25;
+
+std::string softening_text(const Softening& softening) {
+    std::string text =
+        fmt::format("  softness  overlaps up to {:.2g} % of the radius, {} with {} at {:.2g} m/s",
+                    100.0 * softening.overlap_ratio,
+                    softening.first,
+                    softening.second,
+                    softening.speed);
+    if (softening.speed_up >= worthwhile_speed_up) {
+        text += fmt::format(
+            "; {:.2g} times the stiffness makes it {:.2g} %, with steps {:.2g} "
+            "times as long: `grainbench study --suggest` shows whether the result "
+            "stays",
+            softening.factor,
+            100.0 * harmless_overlap,
+            softening.speed_up);
+    }
+    return text + "\n";
+}
+
 std::string stage_text(const io::StageCheck& stage, std::size_t number) {
     std::string text = fmt::format("stage {} {}: {:.4g} s, about {:.3g} cycles\n",
                                    number,
@@ -52,7 +74,11 @@ std::string stage_text(const io::StageCheck& stage, std::size_t number) {
     if (stage.steps_per_contact) {
         text += fmt::format("; {:.1f} steps", *stage.steps_per_contact);
     }
-    return text + "\n";
+    text += "\n";
+    if (stage.softening) {
+        text += softening_text(*stage.softening);
+    }
+    return text;
 }
 
 std::string detection_text(const io::DetectionCheck& detection) {

@@ -47,6 +47,13 @@ Json json_of(const StageCheck& stage) {
     if (stage.steps_per_contact) {
         json["steps_per_contact"] = *stage.steps_per_contact;
     }
+    if (stage.softening) {
+        json["softening"] = {{"speed", stage.softening->speed},
+                             {"overlap_ratio", stage.softening->overlap_ratio},
+                             {"pair", {stage.softening->first, stage.softening->second}},
+                             {"stiffness_factor", stage.softening->factor},
+                             {"speed_up", stage.softening->speed_up}};
+    }
     return json;
 }
 

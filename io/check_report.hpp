@@ -4,6 +4,7 @@
 #include "core/effects.hpp"
 #include "core/insertion/insert.hpp"
 #include "core/measure/contact_scales.hpp"
+#include "core/measure/softening.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -22,6 +23,7 @@ struct StageCheck {
     double planned_timestep = 0.0;            ///< [s] with one lone contact; fewer in a dense bed
     std::optional<double> steps_per_contact;  ///< [1] of the shortest; none if time has no meaning
     double expected_cycles = 0.0;             ///< [1]
+    std::optional<Softening> softening;       ///< none without contacts or speed
 };
 
 /// Cycles stepped only to be timed.

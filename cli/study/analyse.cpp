@@ -1,6 +1,7 @@
 #include "core/error.hpp"
 #include "core/statistics/pareto.hpp"
 
+#include "cli/check_report.hpp"
 #include "cli/jobs/planned_steps.hpp"
 #include "cli/study/recommend.hpp"
 #include "cli/study/result.hpp"
@@ -129,6 +130,7 @@ StudyResult analyse_study(StudyPlan plan, const std::vector<JobResult>& results)
         variant.name = plan.variants[k].variant.name;
         variant.published = plan.variants[k].variant.published;
         variant.folder = results[k].folder;
+        variant.warnings = opening_warnings(scene);
         variant.unstable = manifest.outcome == "unstable";
         variant.message = manifest.message;
         const JobResult* timed = results.size() > count ? &results[count + k] : nullptr;

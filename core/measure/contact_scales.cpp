@@ -36,11 +36,13 @@ double mass_of(const Scene& scene, const Sphere& sphere) {
            scene.particles.species[sphere.species].density;
 }
 
-ContactTime contact_time(std::string first, std::string second, double stiffness, double mass) {
+ContactTime contact_time(
+    std::string first, std::string second, double stiffness, double mass, double radius) {
     return {std::move(first),
             std::move(second),
             stiffness,
             mass,
+            radius,
             pi * std::sqrt(mass / stiffness)};  // (1)
 }
 
@@ -85,7 +87,8 @@ ContactScales contact_scales(const Scene& scene,
                     contact_time(materials.names()[i.species],
                                  materials.names()[j.species],
                                  table.stiffness(i.species, j.species, i.radius, j.radius).normal,
-                                 m_i * m_j / (m_i + m_j)));
+                                 m_i * m_j / (m_i + m_j),
+                                 std::min(i.radius, j.radius)));
             }
         }
         for (Index material = 0; material < materials.count(); ++material) {
@@ -102,7 +105,8 @@ ContactScales contact_scales(const Scene& scene,
                     contact_time(materials.names()[i.species],
                                  materials.names()[material],
                                  table.stiffness(i.species, material, i.radius, 0.0).normal,
-                                 mass_of(scene, i)));
+                                 mass_of(scene, i),
+                                 i.radius));
             }
         }
     }

@@ -26,6 +26,7 @@ struct ContactTime {
     std::string second;      ///< species or wall material
     double stiffness = 0.0;  ///< [N/m] k_n
     double mass = 0.0;       ///< [kg] m_c
+    double radius = 0.0;     ///< [m] of the smaller sphere
     double duration = 0.0;   ///< [s] t_c
 };
 

@@ -92,6 +92,34 @@ TEST_F(CheckCommand, WarnsOfFewStepsInAContact) {
                 Contains(HasSubstr("above the single-contact limit")));
 }
 
+TEST_F(CheckCommand, ProposesSofterContactsWhereOverlapsAreSmall) {
+    // A fall through the bed: the lattice is 4 layers of 8 mm, sqrt(2 9.8 0.024) = 0.69 m/s at most
+    // with the jitter; bead on cup at k = 1e7: 0.69 sqrt(1.69646e-4 / 1e7) / 0.003 = 9.4e-4.
+    const json stiff = json::parse(
+        check({"--json", "--set", "/contact/stiffness/normal=1e7", "--set", "/stages/1/motions=[]"})
+            .out);
+    const json& softening = stiff.at("stages").at(0).at("softening");
+    EXPECT_NEAR(softening.at("overlap_ratio"), 9.4e-4, 0.3e-4);
+    EXPECT_EQ(softening.at("pair"), (json{"bead", "cup"}));
+    const double speed_up = softening.at("speed_up");
+    EXPECT_NEAR(speed_up, 0.01 / softening.at("overlap_ratio").get<double>(), 1e-9);
+    EXPECT_NEAR(softening.at("stiffness_factor"), 1.0 / (speed_up * speed_up), 1e-9);
+    EXPECT_THAT(check({"--set", "/contact/stiffness/normal=1e7"}).out,
+                ContainsRegex("softness +overlaps up to 0.* times the stiffness makes it 1 %"));
+    EXPECT_THAT(check({"--set", "/contact/stiffness/normal=100"}).out,
+                Not(HasSubstr("times the stiffness")));
+}
+
+TEST_F(CheckCommand, WarnsOfWallsThatAreNarrowForTheirParticles) {
+    // The cup is 80 mm wide: 13 beads of 6 mm, 6.7 of 12 mm.
+    EXPECT_THAT(warnings({"--set",
+                          "/particles/species/0/radius=0.006",
+                          "--set",
+                          "/particles/insertion/0/counts=[1,1,1]"}),
+                Contains(HasSubstr("only 6.7 diameters of 'bead' fit across the wall 'cup'")));
+    EXPECT_THAT(warnings({}), Not(Contains(HasSubstr("diameters"))));
+}
+
 TEST_F(CheckCommand, WarnsOfSearchIntervalsThatFindContactsLate) {
     const std::string fixed = "/timestep={\"type\":\"fixed\",\"value\":1e-5}";
     // The tolerance of 1.875e-4 m in N steps of 1e-5 s: 1.875 m/s for N = 10, 0.01875 for 1000.
