@@ -29,6 +29,7 @@ constexpr std::array kinds{Kind{"scene", io::scene_schema, io::scene_reference},
 
 std::vector<std::string> schema_kinds() {
     std::vector<std::string> names;
+    names.reserve(kinds.size());
     for (const Kind& kind : kinds) {
         names.emplace_back(kind.name);
     }

@@ -91,10 +91,11 @@ std::vector<Tick> logarithmic_ticks(const AxisRange& range, int wanted) {
     const std::vector<double> mantissas =
         decades > 2.5 ? std::vector<double>{1.0} : std::vector<double>{1.0, 2.0, 5.0};
     const bool is_long = range.high > 4.0 || range.low < -3.0;  // 1e5 is easier to read than 100000
-    const double every = std::max(1.0, std::ceil(decades / wanted));
+    const int every = std::max(1, static_cast<int>(std::ceil(decades / wanted)));
     std::vector<Tick> ticks;
-    for (double decade = std::floor(range.low); decade <= std::ceil(range.high); decade += 1.0) {
-        if (std::fmod(decade, every) != 0.0) {
+    const auto last = static_cast<int>(std::ceil(range.high));
+    for (auto decade = static_cast<int>(std::floor(range.low)); decade <= last; ++decade) {
+        if (decade % every != 0) {
             continue;
         }
         for (const double mantissa : mantissas) {
@@ -102,7 +103,7 @@ std::vector<Tick> logarithmic_ticks(const AxisRange& range, int wanted) {
             const double value = mantissa * std::pow(10.0, decade);
             if (place >= range.low - 1e-9 && place <= range.high + 1e-9) {
                 ticks.push_back({.place = place,
-                                 .label = is_long ? fmt::format("{:.0f}e{:.0f}", mantissa, decade)
+                                 .label = is_long ? fmt::format("{:.0f}e{}", mantissa, decade)
                                                   : tick_text(value, value)});
             }
         }

@@ -160,7 +160,7 @@ void ChartView::add_series() {
                                       .size = size_};
     const auto add = [&](SeriesPlot::Part part, std::size_t k, int bar_slot) {
         const ChartSeries& series = chart_.series[k];
-        const auto plot = vtkSmartPointer<SeriesPlot>::New();
+        auto plot = vtkSmartPointer<SeriesPlot>::New();
         const ChartLook look = chart_look(series.look.value_or(k));
         plot->describe(part, series, look, bar_slot, setting);
         view_->AddPlot(plot);
@@ -191,7 +191,7 @@ void ChartView::style_axes() {
     view_->GetAxis(vtkAxis::BOTTOM)->SetGridVisible(chart_.categories.empty());
 }
 
-void ChartView::style_axis(int index, const AxisRange& range, std::vector<Tick> ticks) {
+void ChartView::style_axis(int index, const AxisRange& range, const std::vector<Tick>& ticks) {
     vtkAxis* target = view_->GetAxis(index);
     target->SetTitle("");
     target->GetLabelProperties()->SetFontSize(font_size(label_font, size_));

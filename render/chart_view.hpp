@@ -3,6 +3,7 @@
 #pragma once
 
 #include "render/chart.hpp"
+#include "render/chart_notes.hpp"
 #include "render/chart_plot.hpp"
 #include "render/chart_scale.hpp"
 #include "render/offscreen.hpp"
@@ -35,7 +36,7 @@ public:
 private:
     void lay_out();
     void style_axes();
-    void style_axis(int index, const AxisRange& range, std::vector<Tick> ticks);
+    void style_axis(int index, const AxisRange& range, const std::vector<Tick>& ticks);
     void add_series();
     void add_titles();
     void place_legend();

@@ -342,6 +342,7 @@ MeanSeries mean_series(const std::vector<TimeSeries>& series) {
             continue;
         }
         std::vector<double> values;
+        values.reserve(series.size());
         for (const TimeSeries& each : series) {
             values.push_back(interpolate(each, time));
         }

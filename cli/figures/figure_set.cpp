@@ -140,7 +140,7 @@ private:
 }  // namespace
 
 FigureSet read_figure_set(const std::filesystem::path& file) {
-    FigureSet set = io::read_described<FigureSet>(file);
+    auto set = io::read_described<FigureSet>(file);
     Problems problems;
     io::check_domains(set, Place{}, any_number(), "", problems);
     Rules(set, problems).check();
