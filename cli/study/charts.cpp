@@ -117,7 +117,8 @@ Chart cost_chart(const StudyResult& result) {
         points.y.push_back(y);
         points.low.push_back(ends.low);
         points.high.push_back(ends.high);
-        chart.texts.push_back({.x = variant.cost.speed_up, .y = y, .text = " " + variant.name});
+        // A little to the right, so that the text leaves the marker free.
+        chart.texts.push_back({.x = 1.02 * variant.cost.speed_up, .y = y, .text = variant.name});
         slowest = std::min(slowest, variant.cost.speed_up);
         fastest = std::max(fastest, variant.cost.speed_up);
     }

@@ -234,7 +234,9 @@ Quantity quantity_of(const io::StudyObservable& observable, const JobResult& res
                        return Quantity{.name = "share of the volume",
                                        .unit = "%",
                                        .scale = 100.0,
-                                       .x_name = std::string(name_of(wanted.axis)),
+                                       .x_name = wanted.axis == io::ProfileAxis::radius
+                                                     ? "distance from the z axis"
+                                                     : std::string(name_of(wanted.axis)),
                                        .x_unit = "m"};
                    }},
         observable);
