@@ -14,15 +14,6 @@ constexpr double nominal = 0.95;
 /// One percent, as asked of them; five standard errors of a frequency over so many draws.
 constexpr double one_percent = 0.01;
 
-template <class HoldsOnce>
-double frequency(int times, HoldsOnce&& holds_once) {
-    int held = 0;
-    for (int k = 0; k < times; ++k) {
-        held += holds_once() ? 1 : 0;
-    }
-    return static_cast<double>(held) / times;
-}
-
 double coverage_of_difference(std::size_t n_a, std::size_t n_b, double deviation_a) {
     Draws random(n_a + 100 * n_b);
     return frequency(draws, [&] {
@@ -58,29 +49,6 @@ TEST(Coverage, OfWelchsDifferenceIsWithinTwoPercentForThreeRealisations) {
         EXPECT_NEAR(coverage_of_difference(3, 3, deviation), nominal, 2.0 * one_percent)
             << deviation;
     }
-}
-
-/// Of all points of a difference of curves at once.
-double coverage_of_band(std::size_t realisations, double rho, int times) {
-    Draws random(realisations);
-    std::uint64_t seed = 0;
-    return frequency(times, [&] {
-        const Curves a = random.curves(realisations, 20, rho);
-        const Curves b = random.curves(realisations, 20, rho);
-        const CurveDifference difference =
-            curve_difference(a, b, false, {.replicates = 199, .seed = ++seed});
-        bool holds = true;
-        for (std::size_t k = 0; k < difference.at.size(); ++k) {
-            holds = holds && std::abs(difference.at[k].value) <= difference.reach[k];
-        }
-        return holds;
-    });
-}
-
-TEST(Coverage, OfABandOverAWholeCurveIsNominalByTheBootstrap) {
-    // Over 3000 draws a frequency has a standard error of 0.004; 2 percent are five of them.
-    EXPECT_NEAR(coverage_of_band(24, 0.9, 3000), nominal, 0.02);
-    EXPECT_NEAR(coverage_of_band(12, 0.9, 3000), nominal, 0.02);
 }
 
 TEST(Coverage, OfABandOverAWholeCurveIsAtLeastNominalForFewRealisations) {

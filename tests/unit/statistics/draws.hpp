@@ -43,4 +43,31 @@ private:
     std::normal_distribution<double> normal_;
 };
 
+/// How often something holds.
+template <class HoldsOnce>
+double frequency(int times, HoldsOnce&& holds_once) {
+    int held = 0;
+    for (int k = 0; k < times; ++k) {
+        held += holds_once() ? 1 : 0;
+    }
+    return static_cast<double>(held) / times;
+}
+
+/// How often the band over a difference of two sets of alike curves holds at all points at once.
+inline double coverage_of_band(std::size_t realisations, double rho, int times) {
+    Draws random(realisations);
+    std::uint64_t seed = 0;
+    return frequency(times, [&] {
+        const Curves a = random.curves(realisations, 20, rho);
+        const Curves b = random.curves(realisations, 20, rho);
+        const CurveDifference difference =
+            curve_difference(a, b, false, {.replicates = 199, .seed = ++seed});
+        bool holds = true;
+        for (std::size_t k = 0; k < difference.at.size(); ++k) {
+            holds = holds && std::abs(difference.at[k].value) <= difference.reach[k];
+        }
+        return holds;
+    });
+}
+
 }  // namespace grainbench::statistics
