@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <chrono>
 #include <limits>
 #include <numeric>
 
@@ -143,6 +144,7 @@ void draw_pictures(const RenderJob& job,
 int render_command(const RenderArguments& arguments, const Streams& streams) {
     const RenderJob job = job_of(arguments);
     std::size_t done = 0;
+    const auto start = std::chrono::steady_clock::now();
     draw_pictures(job, [&](const fs::path& file, std::size_t count) {
         streams.out << file.string() << "\n";
         ++done;
@@ -151,10 +153,12 @@ int render_command(const RenderArguments& arguments, const Streams& streams) {
         }
     });
     if (!arguments.quiet) {
-        streams.err << fmt::format("{}{} pictures in {}\n",
+        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+        streams.err << fmt::format("{}{} pictures in {}, {:.2f} s each\n",
                                    streams.err_is_terminal ? "\r" : "",
                                    done,
-                                   job.folder.string());
+                                   job.folder.string(),
+                                   spent.count() / static_cast<double>(done));
     }
     return exit_ok;
 }

@@ -169,7 +169,7 @@ void set_up(vtkRenderer* renderer, const Look& look, double mean_radius) {
         renderer->SetUseSSAO(true);
         renderer->SetSSAORadius(radius);
         renderer->SetSSAOBias(0.02 * radius);
-        renderer->SetSSAOKernelSize(64);
+        renderer->SetSSAOKernelSize(32);
         renderer->SetSSAOBlur(true);
     }
 }
