@@ -154,9 +154,10 @@ int render_command(const RenderArguments& arguments, const Streams& streams) {
     });
     if (!arguments.quiet) {
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-        streams.err << fmt::format("{}{} pictures in {}, {:.2f} s each\n",
+        streams.err << fmt::format("{}{} {} in {}, {:.2f} s each\n",
                                    streams.err_is_terminal ? "\r" : "",
                                    done,
+                                   done == 1 ? "picture" : "pictures",
                                    job.folder.string(),
                                    spent.count() / static_cast<double>(done));
     }
