@@ -1,21 +1,23 @@
 #!/bin/sh
-# Makes the tables and plots of share/doc/accuracy.md anew: ten minutes or so on two cores.
+# Makes the tables and plots of share/doc/accuracy.md anew: twenty minutes or so on two cores.
 # Runs are kept in out/accuracy/runs and used again by the same program.
 set -eu
 cd "$(dirname "$0")/.."
 program=${GRAINBENCH:-build/release/cli/grainbench}
-for study in stiffness timestep; do
+for study in stiffness timestep detection-convective; do
     "$program" study "presets/studies/$study.json" -o "out/accuracy/$study" --cache out/accuracy/runs
 done
 "$program" study --single-contact -o out/accuracy/single-contact
 
 to=share/doc/accuracy
 mkdir -p "$to"
-for study in stiffness timestep; do
+for study in stiffness timestep detection-convective; do
     for chart in overlay cost; do
         cp "out/accuracy/$study/$chart.svg" "$to/$study-$chart.svg"
     done
     sed "s|](\([a-z]*\)\.svg)|]($study-\1.svg)|" "out/accuracy/$study/study.md" > "$to/$study.md"
+done
+for study in stiffness timestep; do
     cp "out/accuracy/$study/growth.svg" "$to/$study-growth.svg"
 done
 for chart in step outcomes; do

@@ -54,8 +54,13 @@ std::string recommendation_of(const StudyResult& result) {
     if (const VariantResult* open = fastest(result, Verdict::undecided, reached)) {
         text += fmt::format(
             " '{}' is {:.2g} times as fast and undecided; ", open->name, open->cost.speed_up);
-        text += open->needed ? fmt::format("{} realisations would tell.", *open->needed)
-                             : "no affordable number of realisations would tell.";
+        if (open->needed) {
+            text += fmt::format("{} realisations would tell.", *open->needed);
+        } else if (std::isfinite(open->largest().standard_error)) {
+            text += "no affordable number of realisations would tell.";
+        } else {
+            text += "a single realisation tells nothing of the spread.";
+        }
     }
     return text;
 }

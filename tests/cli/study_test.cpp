@@ -245,7 +245,9 @@ TEST_P(StudyPreset, RunsQuickly) {
 }
 
 std::string name_of_study(const testing::TestParamInfo<std::string>& info) {
-    return info.param;
+    std::string name = info.param;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
 }
 
 INSTANTIATE_TEST_SUITE_P(All, StudyPreset, testing::ValuesIn(study_names()), name_of_study);
