@@ -16,7 +16,8 @@ namespace {
 
 using statistics::Curves;
 
-VariantCost cost_of(const io::Manifest& manifest, const JobResult* timed) {
+/// \param timed step times of runs alone [s]; empty if there were none
+VariantCost cost_of(const io::Manifest& manifest, const std::vector<double>& timed) {
     VariantCost cost;
     double steps = 0.0;
     double all_cpu = 0.0;
@@ -33,9 +34,9 @@ VariantCost cost_of(const io::Manifest& manifest, const JobResult* timed) {
         all_timed += particles * static_cast<double>(realisation.timed_cycles);
     }
     cost.parallel_step_time = all_timed > 0.0 ? all_cpu / all_timed : 0.0;
-    cost.timed_alone = timed != nullptr;
+    cost.timed_alone = !timed.empty();
     cost.step_time =
-        timed != nullptr ? timed->manifest.realisations.at(0).step_time() : cost.parallel_step_time;
+        timed.empty() ? cost.parallel_step_time : *std::min_element(timed.begin(), timed.end());
     cost.seconds = cost.step_time * steps;
     return cost;
 }
@@ -133,8 +134,11 @@ StudyResult analyse_study(StudyPlan plan, const std::vector<JobResult>& results)
         variant.warnings = opening_warnings(scene);
         variant.unstable = manifest.outcome == "unstable";
         variant.message = manifest.message;
-        const JobResult* timed = results.size() > count ? &results[count + k] : nullptr;
-        variant.cost = cost_of(manifest, variant.unstable ? nullptr : timed);
+        std::vector<double> timed;
+        for (std::size_t job = count + k; job < results.size() && !variant.unstable; job += count) {
+            timed.push_back(results[job].manifest.realisations.at(0).step_time());
+        }
+        variant.cost = cost_of(manifest, timed);
         const double contact = shortest_contact(scene);
         if (std::isfinite(contact) && variant.cost.mean_timestep > 0.0) {
             variant.steps_per_contact = contact / variant.cost.mean_timestep;

@@ -16,7 +16,7 @@ io::Study quickened(io::Study study) {
     study.realisations = std::min(study.realisations, quick.realisations);
     std::erase_if(study.growth, [&](std::int64_t n) { return n > study.realisations; });
     if (study.timing) {
-        study.timing->duration.reset();
+        study.timing = io::StudyTiming{.duration = {}, .repetitions = 1};
     }
     if (!quick.variants.empty()) {
         std::vector<io::StudyVariant> kept = io::variants_of(study);
@@ -71,8 +71,9 @@ double duration_of(const Scene& scene) {
     return duration;
 }
 
-Scene scene_to_time(Scene scene, double duration) {
+Scene scene_to_time(Scene scene, std::int64_t realisation, double duration) {
     scene.realisations.count = 1;
+    scene.realisations.seed += realisation;
     scene.output = {};
     scene.traces.clear();
     double begin = 0.0;
@@ -117,11 +118,13 @@ std::vector<Job> jobs_of(const StudyPlan& plan) {
     }
     const double duration =
         plan.study.timing->duration.value_or(std::numeric_limits<double>::infinity());
-    for (const PlannedVariant& planned : plan.variants) {
-        jobs.push_back({.name = "timing of variant '" + planned.variant.name + "'",
-                        .scene = scene_to_time(planned.scene, duration),
-                        .directory = plan.scene_directory,
-                        .timed = true});
+    for (std::int64_t n = 0; n < plan.study.timing->repetitions; ++n) {
+        for (const PlannedVariant& planned : plan.variants) {
+            jobs.push_back({.name = "timing of variant '" + planned.variant.name + "'",
+                            .scene = scene_to_time(planned.scene, n, duration),
+                            .directory = plan.scene_directory,
+                            .timed = true});
+        }
     }
     return jobs;
 }

@@ -32,13 +32,14 @@ struct StudyPlan {
 /// \param directory that Study::scene is relative to
 StudyPlan plan_study(io::Study study, const std::filesystem::path& directory, bool quick);
 
-/// One per variant, in their order; then, if the study times, one timed per variant.
+/// One per variant, in their order; then, if the study times, one timed per variant, and that as
+/// often as it asks for.
 std::vector<Job> jobs_of(const StudyPlan& plan);
 
 /// From the first stage to the last [s].
 double duration_of(const Scene& scene);
 
-/// The scene for its first realisation until `duration`, writing nothing on the way.
-Scene scene_to_time(Scene scene, double duration);
+/// The scene for one of its realisations until `duration`, writing nothing on the way.
+Scene scene_to_time(Scene scene, std::int64_t realisation, double duration);
 
 }  // namespace grainbench::cli

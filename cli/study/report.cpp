@@ -92,8 +92,7 @@ std::string method_text(const StudyResult& result) {
         result.plan.study.comparison == io::Comparison::paired ? " from pairs of one packing"
                                                                : " (Welch)",
         result.plan.study.margin * result.quantity.scale,
-        reference.cost.timed_alone ? "from a run that had the machine for itself"
-                                   : "from the runs side by side");
+        reference.cost.timed_alone ? "from runs one at a time" : "from the runs side by side");
 }
 
 std::string origin_text(const StudyOrigin& origin) {

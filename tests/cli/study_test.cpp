@@ -35,7 +35,7 @@ constexpr const char* cup_study = R"({
   "margin": 1e-6,
   "realisations": 3,
   "comparison": "paired",
-  "timing": {"duration": 0.005},
+  "timing": {"duration": 0.005, "repetitions": 2},
   "growth": [2, 3]
 })";
 
@@ -108,7 +108,7 @@ TEST_F(StudyCommand, UsesItsRunsAgain) {
     const Answer again = study();
     EXPECT_THAT(again.err,
                 AllOf(HasSubstr("3 runs: 0 to do, 3 in the cache"),
-                      HasSubstr("3 timed runs, one at a time: 0 to do, 3 in the cache")));
+                      HasSubstr("6 timed runs, one at a time: 0 to do, 6 in the cache")));
     EXPECT_EQ(io::read_file(folder_ / "out" / "variants.csv"), before);
 }
 
