@@ -1,10 +1,10 @@
 #!/bin/sh
-# Makes the tables and plots of share/doc/accuracy.md anew: twenty minutes or so on two cores.
-# Runs are kept in out/accuracy/runs and used again by the same program.
+# Makes the tables and plots of share/doc/accuracy.md anew: half an hour or so on two cores. Runs
+# are kept in out/accuracy/runs and used again by the same program.
 set -eu
 cd "$(dirname "$0")/.."
 program=${GRAINBENCH:-build/release/cli/grainbench}
-for study in stiffness timestep detection-convective; do
+for study in stiffness timestep softest timestep-energy detection-convective; do
     "$program" study "presets/studies/$study.json" -o "out/accuracy/$study" --cache out/accuracy/runs
 done
 "$program" study --single-contact -o out/accuracy/single-contact
@@ -15,10 +15,8 @@ for study in stiffness timestep detection-convective; do
     for chart in overlay cost; do
         cp "out/accuracy/$study/$chart.svg" "$to/$study-$chart.svg"
     done
-    sed "s|](\([a-z]*\)\.svg)|]($study-\1.svg)|" "out/accuracy/$study/study.md" > "$to/$study.md"
-done
-for study in stiffness timestep; do
-    cp "out/accuracy/$study/growth.svg" "$to/$study-growth.svg"
+    sed -e '/growth\.svg/d' -e "s|](\([a-z]*\)\.svg)|]($study-\1.svg)|" \
+        "out/accuracy/$study/study.md" > "$to/$study.md"
 done
 for chart in step outcomes; do
     cp "out/accuracy/single-contact/$chart.svg" "$to/$chart.svg"

@@ -215,7 +215,7 @@ private:
             steps += unit.steps;
         }
         std::string said = fmt::format("{:5.1f} %  {} of {} runs ended  {:.1f} M particle-steps/s",
-                                       100.0 * done / all,
+                                       all > 0.0 ? 100.0 * done / all : 0.0,
                                        ended_,
                                        runs_.size(),
                                        1e-6 * steps / std::max(wall, 1e-9));
