@@ -4,14 +4,14 @@
 set -eu
 cd "$(dirname "$0")/.."
 program=${GRAINBENCH:-build/release/cli/grainbench}
-for study in stiffness timestep softest timestep-energy detection-convective; do
+for study in stiffness timestep softest timestep-energy detection-calibration; do
     "$program" study "presets/studies/$study.json" -o "out/accuracy/$study" --cache out/accuracy/runs
 done
 "$program" study --single-contact -o out/accuracy/single-contact
 
 to=share/doc/accuracy
 mkdir -p "$to"
-for study in stiffness timestep detection-convective; do
+for study in stiffness timestep detection-calibration; do
     for chart in overlay cost; do
         cp "out/accuracy/$study/$chart.svg" "$to/$study-$chart.svg"
     done
