@@ -81,6 +81,12 @@ TEST_F(StudyFile, RefusesWhatCannotBeCompared) {
     EXPECT_THAT(error_in(study), HasSubstr("/margin"));
 }
 
+TEST_F(StudyFile, SaysWhatToDoWithAScene) {
+    const std::string said =
+        error_of([] { read_study(source / "presets" / "scenes" / "bne.json"); });
+    EXPECT_THAT(said, AllOf(HasSubstr("a scene, not a study"), HasSubstr("--suggest")));
+}
+
 TEST(StudyAxes, AreCombined) {
     Study study;
     study.axes = {
