@@ -20,6 +20,9 @@ std::vector<double> densities(const Scene& scene) {
 /// age.
 constexpr double slack_per_radius = 0.25;
 
+/// The same for walls, whose lists are short and dear to build.
+constexpr double wall_slack_per_radius = 1.0;
+
 SearchSettings search_settings(const Detection& detection,
                                double smallest_radius,
                                bool brute_force) {
@@ -31,12 +34,6 @@ SearchSettings search_settings(const Detection& detection,
         settings.interval = remap->cycles;
     }
     return settings;
-}
-
-void fill_packets(double (&packets)[8], const Vec3& v) {
-    const double packet[4] = {v.x, v.y, v.z, 0.0};
-    std::copy_n(packet, 4, packets);
-    std::copy_n(packet, 4, packets + 4);
 }
 
 bool writes_contacts(const Scene& scene) {
@@ -75,11 +72,12 @@ Engine::Engine(const Scene& scene, std::uint64_t seed, const SimulationOptions& 
     InsertionResult inserted = insert_particles(scene, surfaces, seed);
     insertion_reports_ = std::move(inserted.reports);
     particles_ = ParticleState(inserted.spheres, densities(scene));
-    const SearchSettings settings =
+    SearchSettings settings =
         search_settings(detection_, particles_.smallest_radius(), options.reference);
     pairs_ = PairContacts(settings, table_.history_size());
+    settings.slack = wall_slack_per_radius * particles_.smallest_radius();
     wall_contacts_.assign(walls_.size(), WallContacts(settings, table_.history_size()));
-    sums_ = StableStep(particles_.size());
+    sums_ = StableStep(particles_);
     if (scene.observables.energy) {
         ledger_ = std::make_unique<EnergyLedger>();
     }
@@ -195,14 +193,13 @@ double Engine::choose_timestep() const {
 
 void Engine::move(double timestep) {
     MotionPass pass{.particles = particles_.view(),
-                    .gravity = {},
-                    .frame = {},
+                    .gravity = {gravity_.x, gravity_.y, gravity_.z, 0.0},
+                    .frame = {bed_velocity_.x, bed_velocity_.y, bed_velocity_.z, 0.0},
                     .kick = 0.5 * (timestep_ + timestep),
                     .drift = timestep,
+                    .few_are_loaded = few_are_loaded(),
                     .fastest = {},
                     .velocity_sum = {}};
-    fill_packets(pass.gravity, gravity_);
-    fill_packets(pass.frame, bed_velocity_);
     kernels_->move(pass);
 
     fastest_ = {pass.fastest[0], pass.fastest[1], pass.fastest[2]};
@@ -224,11 +221,23 @@ void Engine::move(double timestep) {
     bed_velocity_ = (1.0 / std::max<double>(particles_.size(), 1.0)) * sum;
 }
 
+/// Whether most particles are in free flight: then their forces need not be looked at.
+bool Engine::few_are_loaded() const {
+    if (std::holds_alternative<ScaledTimestep>(scheme_)) {
+        return false;
+    }
+    std::size_t most = 2 * pairs_.touching().size();
+    for (const WallContacts& contacts : wall_contacts_) {
+        most += contacts.touching_count();
+    }
+    return 2 * most < particles_.size();
+}
+
 void Engine::find_contacts() {
     Renewal renewal = pairs_.update(cycle_, particles_, bed_shift_, *kernels_);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         renewal =
-            std::max(renewal, wall_contacts_[w].update(cycle_, particles_, walls_[w], *kernels_));
+            std::min(renewal, wall_contacts_[w].update(cycle_, particles_, walls_[w], *kernels_));
     }
     bool changed = pairs_.find_touching(particles_, *kernels_);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
@@ -243,36 +252,14 @@ void Engine::update_stable_step() {
     if (!needs_stable_step()) {
         return;
     }
-    sums_.clear();
-    const PairList& objects = pairs_.objects();
-    const PairList& soon = pairs_.soon();
-    if (detection_.create_on_overlap) {
-        for (const Index k : pairs_.touching()) {
-            sums_.add_pair(particles_, table_, objects.i[k], objects.j[k]);
-        }
-    } else {
-        for (Index k = 0; k < soon.count; ++k) {
-            sums_.add_pair(particles_, table_, soon.i[k], soon.j[k]);
-        }
-    }
+    sums_.clear(table_.rotation_rules());
+    const StepSums sums = sums_.sums();
+    const bool touching_only = detection_.create_on_overlap;
+    pairs_.add_steps(particles_, table_, touching_only, sums, *kernels_);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
-        const WallContacts& contacts = wall_contacts_[w];
-        if (detection_.create_on_overlap) {
-            for (Index t = 0; t < contacts.touching_count(); ++t) {
-                sums_.add_wall(particles_,
-                               table_,
-                               contacts.particle(t),
-                               walls_[w].material(),
-                               contacts.normal(t));
-            }
-        } else {
-            for (const WallObject& object : contacts.soon()) {
-                sums_.add_wall(
-                    particles_, table_, object.particle, walls_[w].material(), object.normal);
-            }
-        }
+        wall_contacts_[w].add_steps(particles_, walls_[w], table_, touching_only, sums, *kernels_);
     }
-    stable_ = sums_.limit(particles_);
+    stable_ = sums_.limit(particles_, *kernels_);
     if (const auto* scaled = std::get_if<ScaledTimestep>(&scheme_)) {
         scale_inertia(scaled->value, scaled->safety_factor);
     }
@@ -306,8 +293,8 @@ std::size_t Engine::contact_count() const {
         return touching_count();
     }
     std::size_t count = pairs_.objects().count;
-    for (const WallContacts& contacts : wall_contacts_) {
-        count += contacts.object_count();
+    for (std::size_t w = 0; w < walls_.size(); ++w) {
+        count += wall_contacts_[w].compute_object_count(particles_, walls_[w]);
     }
     return count;
 }
@@ -346,9 +333,9 @@ Vec3 Engine::contact_force(Index slot) const {
 
 double Engine::largest_overlap_ratio() const {
     double largest = 0.0;
-    for (const Index k : pairs_.touching()) {
-        const Index i = pairs_.objects().i[k];
-        const Index j = pairs_.objects().j[k];
+    for (const TouchingContact contact : pairs_.touching()) {
+        const Index i = pairs_.objects().i[contact.place()];
+        const Index j = pairs_.objects().j[contact.place()];
         const double distance = norm(particles_.position(j) - particles_.position(i));
         const double smaller_radius = std::min(particles_.radius(i), particles_.radius(j));
         const double overlap = particles_.radius(i) + particles_.radius(j) - distance;

@@ -45,6 +45,7 @@ public:
 
     const Kernels& kernels() const { return *kernels_; }
 
+    /// Contact objects, touching or near [1]; looks at those with walls one by one.
     std::size_t contact_count() const;
     std::size_t touching_count() const;
     std::uint64_t late_count() const;
@@ -79,6 +80,7 @@ private:
     void change_scheme(const Timestep& next);
     double choose_timestep() const;
     void move(double timestep);
+    bool few_are_loaded() const;
     void find_contacts();
     void add_forces(double timestep);
     void update_stable_step();

@@ -293,9 +293,9 @@ ParticleFrame Simulation::particle_frame() const {
                                                          ? current_layer_numbers(*s.scene.layers, p)
                                                          : std::vector<std::int32_t>(p.size(), 0);
     std::vector<std::int32_t> contacts(p.size(), 0);
-    for (const Index k : s.engine.pairs().touching()) {
-        ++contacts[s.engine.pairs().objects().i[k]];
-        ++contacts[s.engine.pairs().objects().j[k]];
+    for (const TouchingContact contact : s.engine.pairs().touching()) {
+        ++contacts[s.engine.pairs().objects().i[contact.place()]];
+        ++contacts[s.engine.pairs().objects().j[contact.place()]];
     }
     for (const WallContacts& wall : s.engine.wall_contacts()) {
         for (Index t = 0; t < wall.touching_count(); ++t) {
@@ -361,8 +361,8 @@ ContactFrame Simulation::contact_frame() const {
     };
     const auto touching = engine.pairs().touching();
     for (Index t = 0; t < touching.size(); ++t) {
-        const Index i = engine.pairs().objects().i[touching[t]];
-        const Index j = engine.pairs().objects().j[touching[t]];
+        const Index i = engine.pairs().objects().i[touching[t].place()];
+        const Index j = engine.pairs().objects().j[touching[t].place()];
         frame.i_id.push_back(p.id(i));
         frame.j_id.push_back(p.id(j));
         frame.wall.push_back(0);

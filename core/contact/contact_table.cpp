@@ -72,7 +72,7 @@ ContactTable::ContactTable(const Contact& contact, const Materials& materials)
         history_size_ = Laws::history_size;
     });
     const std::size_t pairs = static_cast<std::size_t>(materials_) * materials_;
-    values_.assign(pairs * static_cast<std::size_t>(value_count), 0.0);
+    values_.assign(pairs * static_cast<std::size_t>(value_count + step_factor_count), 0.0);
     damping_.assign(2 * pairs, 0.0);
     for (Index a = 0; a < materials_; ++a) {
         for (Index b = 0; b < materials_; ++b) {
@@ -88,6 +88,13 @@ ContactTable::ContactTable(const Contact& contact, const Materials& materials)
     for (const double beta : damping_) {
         const double root = std::sqrt(1.0 + beta * beta) - beta;
         step_factor_.push_back(1.0 / (root * root));
+    }
+    for (std::size_t k = 0; k < step_factor_.size(); ++k) {
+        values_[k % 2 * pairs + k / 2] = step_factor_[k];
+    }
+    uniform_ = true;
+    for (std::size_t k = 0; k < values_.size(); ++k) {
+        uniform_ = uniform_ && values_[k] == values_[k / pairs * pairs];
     }
     if (std::holds_alternative<ConstantStiffness::Params>(contact.stiffness)) {
         for (Index a = 0; a < materials_; ++a) {
@@ -114,7 +121,7 @@ void ContactTable::resolve_pair(const Contact& contact,
                                 const PairContact* changes,
                                 Index a,
                                 Index b) {
-    int next = 0;
+    int next = step_factor_count;
     const auto append = [&](const auto& law) {
         const auto [values, count] = resolved_choice(law);
         for (int k = 0; k < count; ++k) {
@@ -162,7 +169,11 @@ std::vector<int> history_sources(const ContactTable& before, const ContactTable&
 }
 
 LawView ContactTable::view(double timestep) const {
-    return {values_.data(), static_cast<Index>(materials_ * materials_), materials_, timestep};
+    return {values_.data(),
+            static_cast<Index>(materials_ * materials_),
+            materials_,
+            uniform_,
+            timestep};
 }
 
 ContactStiffness ContactTable::stiffness(Index material_i,
@@ -176,8 +187,9 @@ ContactStiffness ContactTable::stiffness(Index material_i,
     g.length = radius_i + radius_j;
     Load<double> load{};
     const auto evaluate = [&]<class Law>(Law) {
-        const auto values = values_of<Law, double>(
-            [&](int k) { return values_[static_cast<std::size_t>(k) * pairs + pair]; });
+        const auto values = values_of<Law, double>([&](int k) {
+            return values_[static_cast<std::size_t>(step_factor_count + k) * pairs + pair];
+        });
         const double* no_history = nullptr;
         Law::apply(values, g, no_history, static_cast<double*>(nullptr), load);
     };

@@ -100,6 +100,7 @@ private:
     std::vector<double> damping_;      ///< [1] two per pair: beta_n, beta_s
     std::vector<double> step_factor_;  ///< [1] two per pair: K / k
     bool rotation_rules_ = false;
+    bool uniform_ = false;
     std::vector<ContactStiffness> constant_;  ///< by pair, where it does not depend on radii
 };
 

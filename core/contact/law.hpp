@@ -11,6 +11,10 @@
 ///         template <class T>
 ///         static void apply(const Values<T>&, const Geometry<T>&, const T* history_in,
 ///                           T* history_out, Load<T>&);
+///
+///         template <class T>                                        // only if it stores energy
+///         static void add_energies(const Values<T>&, const Geometry<T>&, const T* history_in,
+///                                  Load<T>&);                       // or dissipates by sliding
 ///     };
 ///
 /// Laws are folded in the order of contact/law_table.hpp. Symbols and signs: share/doc/notation.md.
@@ -60,14 +64,27 @@ struct Load {
 
     T stiffness_n{};            ///< [N/m]
     T stiffness_s{};            ///< [N/m]
+    T root_stiffness_n{};       ///< [sqrt(N/m)] for dashpots, whose constants go with the root
+    T root_stiffness_s{};       ///< [sqrt(N/m)]
     T normal{};                 ///< [N] spring part, compression positive; sets the Coulomb limit
     T normal_damping{};         ///< [N] dashpot part, same sign
     Vec3Of<T> shear{};          ///< [N] spring part
     Vec3Of<T> shear_damping{};  ///< [N] dashpot part
     Mask slipping{};  ///< shear spring is at its limit; all lanes where there is no friction law
-    T slip_work{};    ///< [J] dissipated by sliding in this step
-    T stored{};       ///< [J] elastic energy held by the springs
+    T slip_work{};    ///< [J] dissipated by sliding in this step; add_energies alone fills it
+    T stored{};       ///< [J] elastic energy held by the springs; add_energies alone fills it
 };
+
+/// Adds the energies of a law, if it has any, to the load that all laws have made.
+template <class Law, class T>
+void add_energies_of(const typename Law::template Values<T>& values,
+                     const Geometry<T>& geometry,
+                     const T* history_in,
+                     Load<T>& load) {
+    if constexpr (requires { Law::add_energies(values, geometry, history_in, load); }) {
+        Law::add_energies(values, geometry, history_in, load);
+    }
+}
 
 /// Nothing: no history, no needs, no code. Fills the slot of an effect that the scene leaves out.
 struct NoLaw {
@@ -85,6 +102,11 @@ struct NoLaw {
 /// The one-lane twins of the verbs that lanes offer, so that a law compiles with T = double.
 constexpr double select(bool mask, double yes, double no) {
     return mask ? yes : no;
+}
+
+/// True if the mask holds for any lane: lets a block of contacts leave out what none of them needs.
+constexpr bool any(bool mask) {
+    return mask;
 }
 
 inline double square_root(double x) {

@@ -40,6 +40,9 @@ constexpr std::array<std::size_t, sizeof...(S)> slot_sizes(std::index_sequence<S
 
 inline constexpr auto slot_sizes = detail::slot_sizes(std::make_index_sequence<slot_count>{});
 
+/// Values before those of the laws, for the stable step: K / k normal and shear.
+inline constexpr int step_factor_count = 2;
+
 /// Which law fills each slot.
 using LawChoice = std::array<std::size_t, slot_count>;
 

@@ -6,385 +6,269 @@ namespace grainbench {
 
 namespace {
 
-/// Calls visit(particle, first, last) for each run of entries of one particle.
-template <class Particle, class Visit>
-void for_each_particle(Index count, Particle&& particle, Visit&& visit) {
-    for (Index first = 0; first < count;) {
-        Index last = first + 1;
-        while (last < count && particle(last) == particle(first)) {
+void append_bits(std::span<const std::uint64_t> words, std::vector<Index>& places) {
+    for (std::size_t w = 0; w < words.size(); ++w) {
+        for (std::uint64_t bits = words[w]; bits != 0; bits &= bits - 1) {
+            places.push_back(static_cast<Index>(64 * w) +
+                             static_cast<Index>(__builtin_ctzll(bits)));
+        }
+    }
+}
+
+bool has_bit(std::span<const std::uint64_t> words, Index place) {
+    return (words[place / 64] >> (place % 64) & 1) != 0;
+}
+
+/// Calls visit(places) for each run of places whose entries are of one particle.
+template <class Visit>
+void for_each_particle(const PairList& list, std::span<const Index> places, const Visit& visit) {
+    for (std::size_t first = 0; first < places.size();) {
+        std::size_t last = first + 1;
+        while (last < places.size() && list.i[places[last]] == list.i[places[first]]) {
             ++last;
         }
-        visit(particle(first), first, last);
+        visit(places.subspan(first, last - first));
         first = last;
     }
-}
-
-ClosePatches close_patches(const ParticleState& particles,
-                           const WallBody& wall,
-                           const PairList& list,
-                           double scale,
-                           double extra,
-                           Index* found) {
-    ClosePatches query{
-        .position = particles.positions().data(),
-        .planes = wall.surface().bounding_planes().data(),
-        .particle = list.i.data(),
-        .patch = list.j.data(),
-        .count = list.count,
-        .shift = {wall.displacement().x, wall.displacement().y, wall.displacement().z},
-        .rotation = {},
-        .centre = {},
-        .rotated = wall.is_turned(),
-        .scale = scale,
-        .extra = extra,
-        .found = found};
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column) {
-            query.rotation[3 * row + column] = wall.rotation()[3 * column + row];
-        }
-    }
-    return query;
-}
-
-template <class T>
-std::vector<T> plain(const Column<T>& column) {
-    return {column.begin(), column.end()};
-}
-
-/// The first `count` rows of `width` columns of `stride`. Rows past them are left over from earlier
-/// steps and are no part of the state.
-template <class T>
-std::vector<T> rows(const Column<T>& columns, std::size_t width, std::size_t stride, Index count) {
-    std::vector<T> result;
-    for (std::size_t c = 0; c < width; ++c) {
-        const auto first = columns.begin() + static_cast<std::ptrdiff_t>(c * stride);
-        result.insert(result.end(), first, first + count);
-    }
-    return result;
 }
 
 }  // namespace
 
 WallContacts::WallContacts(const SearchSettings& settings, int history_size)
-    : settings_(settings), history_size_(history_size) {}
-
-void WallContacts::change_history(std::span<const int> sources) {
-    const Column<double> old = std::move(history_);
-    history_size_ = static_cast<int>(sources.size());
-    history_.assign(stride_ * sources.size(), 0.0);
-    for (std::size_t c = 0; c < sources.size(); ++c) {
-        if (sources[c] >= 0) {
-            const auto from = static_cast<std::size_t>(sources[c]) * stride_;
-            std::copy_n(old.begin() + static_cast<std::ptrdiff_t>(from),
-                        stride_,
-                        history_.begin() + static_cast<std::ptrdiff_t>(c * stride_));
-        }
-    }
-}
-
-void WallContacts::add_travel(double bound) {
-    near_clock_.add(bound);
-    candidate_clock_.add(bound);
-    soon_travel_ += bound;
-    last_travel_ = bound;
-}
-
-bool WallContacts::is_due(std::uint64_t cycle,
-                          const ParticleState& particles,
-                          const WallBody& wall) {
-    if (!started_) {
-        return true;
-    }
-    if (settings_.brute_force) {
-        return false;
-    }
-    if (settings_.interval > 0) {
-        return cycle >= last_cycle_ + static_cast<std::uint64_t>(settings_.interval);
-    }
-    return near_clock_.expired(settings_.near_travel(soon_limit_, particles.smallest_radius()),
-                               particles,
-                               wall.displacement(),
-                               !wall.is_turned());
-}
+    : clock_(settings), objects_(history_size, 1) {}
 
 Renewal WallContacts::update(std::uint64_t cycle,
                              const ParticleState& particles,
                              const WallBody& wall,
                              const Kernels& kernels) {
-    if (is_due(cycle, particles, wall)) {
-        if (!started_ || candidate_clock_.expired(
-                             settings_.slack, particles, wall.displacement(), !wall.is_turned())) {
-            build_candidates(particles, wall);
-        }
+    const Renewal due =
+        clock_.due(cycle, particles, wall.displacement(), !wall.is_turned(), kernels);
+    if (due == Renewal::candidates) {
+        build_candidates(particles, wall);
+    }
+    if (due <= Renewal::objects) {
         renew(particles, wall, kernels);
-        renew_soon(particles, wall, kernels);
-        near_clock_.restart(particles, wall.displacement());
-        last_cycle_ = cycle;
-        just_renewed_ = started_;
-        started_ = true;
-        return Renewal::objects;
+        just_renewed_ = clock_.is_started();
+        clock_.renewed(due, cycle, particles, wall.displacement());
     }
-    if (soon_travel_ > soon_limit_ && !settings_.brute_force) {
-        renew_soon(particles, wall, kernels);
-        return Renewal::soon;
-    }
-    return Renewal::none;
+    return due;
 }
 
 void WallContacts::build_candidates(const ParticleState& particles, const WallBody& wall) {
+    const SearchSettings& settings = clock_.settings();
     candidates_.clear();
-    std::vector<Index> patches;
     for (Index slot = 0; slot < particles.size(); ++slot) {
-        patches.clear();
+        patches_.clear();
         const double reach =
-            settings_.brute_force
+            settings.brute_force
                 ? 1e300
-                : (1.0 + settings_.tolerance) * particles.radius(slot) + settings_.slack;
-        wall.surface().collect(wall.to_wall(particles.position(slot)), reach, patches);
-        for (const Index patch : patches) {
+                : (1.0 + settings.tolerance) * particles.radius(slot) + settings.slack;
+        wall.surface().collect(wall.to_wall(particles.position(slot)), reach, patches_);
+        for (const Index patch : patches_) {
             candidates_.append(slot, patch);
         }
     }
     candidates_.pad();
-    candidate_clock_.restart(particles, wall.displacement());
+}
+
+void WallContacts::test(const ParticleState& particles,
+                        const WallBody& wall,
+                        const PairList& list,
+                        double scale,
+                        double extra,
+                        const Kernels& kernels) {
+    face_.resize(list.words());
+    doubt_.resize(list.words());
+    height_.resize(list.i.size());
+    PatchQuery query{.position = particles.positions().data(),
+                     .planes = wall.surface().planes().data(),
+                     .particle = list.i.data(),
+                     .patch = list.j.data(),
+                     .count = list.count,
+                     .shift = {wall.displacement().x, wall.displacement().y, wall.displacement().z},
+                     .rotation = {},
+                     .rotated = wall.is_turned(),
+                     .scale = scale,
+                     // The reference engine takes nothing from the planes.
+                     .extra = clock_.settings().brute_force ? 1e300 : extra};
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            query.rotation[3 * row + column] = wall.rotation()[3 * column + row];
+        }
+    }
+    kernels.test_patches(query, {face_.data(), doubt_.data(), height_.data()});
 }
 
 void WallContacts::renew(const ParticleState& particles,
                          const WallBody& wall,
                          const Kernels& kernels) {
-    const PairList old_near = std::move(near_);
-    Column<Index> found(static_cast<std::size_t>(candidates_.count) + 8);
-    const double scale = settings_.brute_force ? 1e300 : 1.0 + settings_.tolerance;
-    const Index count =
-        kernels.find_patches(close_patches(particles, wall, candidates_, scale, 0.0, found.data()));
-    near_ = {};
+    test(particles, wall, candidates_, 1.0 + clock_.settings().tolerance, 0.0, kernels);
+    for (std::size_t w = 0; w < face_.size(); ++w) {
+        face_[w] |= doubt_[w];
+    }
     fresh_.clear();
-    Index old = 0;
-    for (Index k = 0; k < count; ++k) {
-        const Index particle = candidates_.i[found[k]];
-        const Index patch = candidates_.j[found[k]];
-        while (old < old_near.count &&
-               std::pair(old_near.i[old], old_near.j[old]) < std::pair(particle, patch)) {
-            ++old;
-        }
-        const bool known =
-            old < old_near.count && old_near.i[old] == particle && old_near.j[old] == patch;
-        near_.append(particle, patch);
-        fresh_.push_back(known ? 0 : 1);
-    }
-    near_.pad();
-    object_count_ = 0;
-    WallHits hits;
-    for_each_particle(
-        near_.count,
-        [&](Index k) { return near_.i[k]; },
-        [&](Index particle, Index first, Index last) {
-            const double reach = (1.0 + settings_.tolerance) * particles.radius(particle);
-            wall.surface().resolve(wall.to_wall(particles.position(particle)),
-                                   reach,
-                                   {near_.j.data() + first, last - first},
-                                   hits);
-            object_count_ += static_cast<Index>(hits.count);
-        });
+    append_bits(face_, fresh_);
+    objects_.renew(candidates_, fresh_);
 }
 
-void WallContacts::renew_soon(const ParticleState& particles,
-                              const WallBody& wall,
-                              const Kernels& kernels) {
-    soon_limit_ = settings_.soon_travel(last_travel_, particles.smallest_radius());
-    soon_travel_ = 0.0;
-    // Against a wall only the particle travels, relative to it: once the limit, not twice.
-    const double extra = settings_.brute_force ? 1e300 : soon_limit_;
-    found_.resize(near_.i.size());
-    const Index count =
-        kernels.find_patches(close_patches(particles, wall, near_, 1.0, extra, found_.data()));
-    soon_.clear();
-    soon_place_.assign(found_.begin(), found_.begin() + count);
-    for (Index k = 0; k < count; ++k) {
-        soon_.append(near_.i[found_[k]], near_.j[found_[k]]);
+void WallContacts::find_hits(const ParticleState& particles,
+                             const WallBody& wall,
+                             double extra,
+                             const Kernels& kernels) {
+    const PairList& list = objects_.list();
+    test(particles, wall, list, 1.0, extra, kernels);
+    now_.resize(list.words());
+    for (std::size_t w = 0; w < now_.size(); ++w) {
+        now_[w] = face_[w] | doubt_[w];
     }
-    soon_.pad();
-    soon_objects_.clear();
-    WallHits hits;
-    for_each_particle(
-        soon_.count,
-        [&](Index k) { return soon_.i[k]; },
-        [&](Index particle, Index first, Index last) {
-            wall.surface().resolve(wall.to_wall(particles.position(particle)),
-                                   particles.radius(particle) + soon_limit_,
-                                   {soon_.j.data() + first, last - first},
-                                   hits);
-            for (const WallHit& hit : hits.view()) {
-                soon_objects_.push_back({particle, wall.direction_to_space(hit.normal)});
-            }
-        });
+    fresh_.clear();
+    append_bits(now_, fresh_);
+    hits_.clear();
+    for_each_particle(list, fresh_, [&](std::span<const Index> places) {
+        if (!add_faces(particles, wall, places)) {
+            resolve(particles, wall, extra, places);
+        }
+    });
 }
 
-void WallContacts::reserve(std::size_t contacts) {
-    if (contacts <= stride_) {
-        return;
-    }
-    const std::size_t wanted = contacts + contacts / 2 + 16;
-    const auto widen = [&](Column<double>& columns, std::size_t width) {
-        Column<double> wider(wanted * width, 0.0);
-        for (std::size_t c = 0; c < width && stride_ > 0; ++c) {
-            std::copy_n(columns.begin() + static_cast<std::ptrdiff_t>(c * stride_),
-                        stride_,
-                        wider.begin() + static_cast<std::ptrdiff_t>(c * wanted));
+/// Faces in different places need no rule. False, and nothing added, if these entries do.
+bool WallContacts::add_faces(const ParticleState& particles,
+                             const WallBody& wall,
+                             std::span<const Index> places) {
+    const std::size_t first = hits_.size();
+    const double* planes = wall.surface().planes().data();
+    for (const Index place : places) {
+        const double height = height_[place];
+        const double* plane = planes + 16 * std::size_t{objects_.list().j[place]};
+        const Vec3 up{plane[0], plane[1], plane[2]};
+        const Hit hit{place, height > 0.0 ? -up : up, std::abs(height)};
+        bool is_apart = has_bit(face_, place);
+        for (std::size_t h = first; h < hits_.size(); ++h) {
+            const Vec3 apart = hit.distance * hit.normal - hits_[h].distance * hits_[h].normal;
+            const double radius = particles.radius(objects_.list().i[place]);
+            is_apart = is_apart && dot(apart, apart) > 1e-6 * radius * radius;
         }
-        columns = std::move(wider);
-    };
-    widen(normal_, 3);
-    widen(distance_, 1);
-    widen(wall_velocity_, 3);
-    widen(wall_spin_, 1);
-    widen(entered_, 1);
-    widen(history_, static_cast<std::size_t>(history_size_));
-    widen(force_, 3);
-    particle_.resize(wanted);
-    patch_.resize(wanted);
-    stride_ = wanted;
+        if (!is_apart) {
+            hits_.resize(first);
+            return false;
+        }
+        hits_.push_back(hit);
+    }
+    for (std::size_t h = first; h < hits_.size(); ++h) {
+        hits_[h].normal = wall.direction_to_space(hits_[h].normal);
+    }
+    return true;
+}
+
+void WallContacts::resolve(const ParticleState& particles,
+                           const WallBody& wall,
+                           double extra,
+                           std::span<const Index> places) {
+    const PairList& list = objects_.list();
+    const Index particle = list.i[places.front()];
+    patches_.clear();
+    for (const Index place : places) {
+        patches_.push_back(list.j[place]);
+    }
+    WallHits found;
+    wall.surface().resolve(wall.to_wall(particles.position(particle)),
+                           particles.radius(particle) + extra,
+                           patches_,
+                           found);
+    const std::size_t first = hits_.size();
+    for (const WallHit& hit : found.view()) {
+        const auto at = std::lower_bound(patches_.begin(), patches_.end(), hit.patch);
+        hits_.push_back({places[static_cast<std::size_t>(at - patches_.begin())],
+                         wall.direction_to_space(hit.normal),
+                         hit.distance});
+    }
+    std::sort(hits_.begin() + static_cast<std::ptrdiff_t>(first),
+              hits_.end(),
+              [](const Hit& a, const Hit& b) { return a.place < b.place; });
 }
 
 bool WallContacts::find_touching(const ParticleState& particles,
                                  const WallBody& wall,
                                  const Kernels& kernels) {
-    std::swap(particle_, particle_before_);
-    std::swap(patch_, patch_before_);
-    std::swap(normal_, normal_before_);
-    std::swap(history_, history_before_);
-    count_before_ = count_;
-    stride_before_ = stride_;
-    particle_.resize(stride_);
-    patch_.resize(stride_);
-    normal_.resize(3 * stride_);
-    history_.resize(stride_ * static_cast<std::size_t>(history_size_));
-    taken_.assign(count_before_, 0);
-    count_ = 0;
-
-    found_.resize(soon_.i.size());
-    const Index found = kernels.find_patches(close_patches(
-        particles, wall, soon_, 1.0, settings_.brute_force ? 1e300 : 0.0, found_.data()));
+    find_hits(particles, wall, 0.0, kernels);
+    std::fill(now_.begin(), now_.end(), 0);
+    for (const Hit& hit : hits_) {
+        now_[hit.place / 64] |= std::uint64_t{1} << (hit.place % 64);
+    }
     bool changed = false;
-    Index before = 0;
-    std::vector<Index> patches;
-    WallHits hits;
-    for_each_particle(
-        found,
-        [&](Index k) { return soon_.i[found_[k]]; },
-        [&](Index particle, Index first, Index last) {
-            patches.clear();
-            bool all_fresh = true;
-            for (Index k = first; k < last; ++k) {
-                patches.push_back(soon_.j[found_[k]]);
-                all_fresh = all_fresh && fresh_[soon_place_[found_[k]]] != 0;
-            }
-            wall.surface().resolve(wall.to_wall(particles.position(particle)),
-                                   particles.radius(particle),
-                                   patches,
-                                   hits);
-            const Index first_new = count_;
-            changed = add_hits(particles, wall, particle, hits.view(), before) || changed;
-            if (all_fresh && just_renewed_) {
-                // Near only since this renewal and overlapping already: found late.
-                for (Index t = first_new; t < count_; ++t) {
-                    late_ += entered_[t] == 0.0 ? 1 : 0;
-                    entered_[t] = 1.0;
-                }
-            }
-        });
-    just_renewed_ = false;
-    return changed || count_ != count_before_;
-}
-
-bool WallContacts::add_hits(const ParticleState& particles,
-                            const WallBody& wall,
-                            Index particle,
-                            std::span<const WallHit> hits,
-                            Index& before) {
-    while (before < count_before_ && particle_before_[before] < particle) {
-        ++before;
+    for (std::size_t w = 0; w < now_.size(); ++w) {
+        changed = changed || now_[w] != objects_.acting()[w];
     }
-    Index last_before = before;
-    while (last_before < count_before_ && particle_before_[last_before] == particle) {
-        ++last_before;
-    }
-    reserve(count_ + hits.size());
-    const Index first_new = count_;
-    for (const WallHit& hit : hits) {
-        const Index t = count_++;
-        const Vec3 normal = wall.direction_to_space(hit.normal);
-        const double radius = particles.radius(particle);
-        // Contact point in the middle of the overlap (physics reference 1.1).
-        const Vec3 at = particles.position(particle) + 0.5 * (radius + hit.distance) * normal;
-        const Vec3 velocity = wall.velocity_at(at);
-        particle_[t] = particle;
-        patch_[t] = hit.patch;
-        distance_[t] = hit.distance;
-        wall_spin_[t] = dot(wall.velocity().angular, normal);
-        const double parts[6] = {normal.x, normal.y, normal.z, velocity.x, velocity.y, velocity.z};
-        for (std::size_t c = 0; c < 3; ++c) {
-            normal_[c * stride_ + t] = parts[c];
-            wall_velocity_[c * stride_ + t] = parts[c + 3];
+    if (changed) {
+        hand_over(wall.surface());
+        if (just_renewed_) {
+            adopt_late_contacts();
         }
     }
-    bool changed = last_before - before != hits.size();
-    hand_over(wall.surface(), first_new, before, last_before);
-    for (Index t = first_new; t < count_; ++t) {
-        changed = changed || entered_[t] == 0.0;
+    just_renewed_ = false;
+    objects_.set_touching(now_);
+    for (const Hit& hit : hits_) {
+        const double geometry[4] = {hit.normal.x, hit.normal.y, hit.normal.z, hit.distance};
+        std::copy_n(geometry, 4, objects_.extra(hit.place));
     }
-    before = last_before;
     return changed;
 }
 
-void WallContacts::hand_over(const Surface& surface,
-                             Index first_new,
-                             Index first_before,
-                             Index last_before) {
-    for (Index t = first_new; t < count_; ++t) {
-        entered_[t] = 0.0;
-        for (std::size_t h = 0; h < static_cast<std::size_t>(history_size_); ++h) {
-            history_[h * stride_ + t] = 0.0;
-        }
-        for (Index b = first_before; b < last_before; ++b) {
-            if (taken_[b] == 0 && patch_before_[b] == patch_[t]) {
-                take_history(t, b);
-                break;
-            }
+/// What a patch has lost goes to a neighbour that goes on in its place, nearest direction first. A
+/// face that is met while another is left must start from nothing.
+void WallContacts::hand_over(const Surface& surface) {
+    constexpr double smallest_cosine = 0.5;
+    const PairList& list = objects_.list();
+    opened_.clear();
+    for (std::size_t w = 0; w < now_.size(); ++w) {
+        for (std::uint64_t bits = objects_.acting()[w] & ~now_[w]; bits != 0; bits &= bits - 1) {
+            opened_.push_back(static_cast<Index>(64 * w) +
+                              static_cast<Index>(__builtin_ctzll(bits)));
         }
     }
-    // What a patch has lost goes to a neighbour that goes on in its place, nearest direction first.
-    // A face that is met while another is left must start from nothing.
-    constexpr double smallest_cosine = 0.5;
-    for (bool found = true; found;) {
-        found = false;
-        double best = smallest_cosine;
-        std::pair<Index, Index> best_pair;
-        for (Index t = first_new; t < count_; ++t) {
-            for (Index b = first_before; b < last_before; ++b) {
-                const Vec3 old{normal_before_[b],
-                               normal_before_[stride_before_ + b],
-                               normal_before_[2 * stride_before_ + b]};
-                if (entered_[t] == 0.0 && taken_[b] == 0 && dot(normal(t), old) > best &&
-                    surface.adjacent(patch_before_[b], patch_[t])) {
-                    best = dot(normal(t), old);
-                    best_pair = {t, b};
-                    found = true;
+    for_each_particle(list, opened_, [&](std::span<const Index> opened) {
+        const Index particle = list.i[opened.front()];
+        const auto first = std::lower_bound(
+            hits_.begin(), hits_.end(), particle, [&](const Hit& hit, Index wanted) {
+                return list.i[hit.place] < wanted;
+            });
+        for (bool found = true; found;) {
+            found = false;
+            double best = smallest_cosine;
+            std::pair<Index, Index> best_pair;
+            for (auto hit = first; hit != hits_.end() && list.i[hit->place] == particle; ++hit) {
+                for (const Index from : opened) {
+                    const double* old = objects_.extra(from);
+                    const double cosine = dot(hit->normal, Vec3{old[0], old[1], old[2]});
+                    if (objects_.acts(from) && !objects_.acts(hit->place) && cosine > best &&
+                        surface.adjacent(list.j[from], list.j[hit->place])) {
+                        best = cosine;
+                        best_pair = {from, hit->place};
+                        found = true;
+                    }
                 }
             }
+            if (found) {
+                objects_.hand_over(best_pair.first, best_pair.second);
+            }
         }
-        if (found) {
-            take_history(best_pair.first, best_pair.second);
-        }
-    }
+    });
 }
 
-void WallContacts::take_history(Index t, Index before) {
-    entered_[t] = 1.0;
-    taken_[before] = 1;
-    for (std::size_t h = 0; h < static_cast<std::size_t>(history_size_); ++h) {
-        history_[h * stride_ + t] = history_before_[h * stride_before_ + before];
-    }
+/// Near only since this renewal and overlapping already: found late.
+void WallContacts::adopt_late_contacts() {
+    const PairList& list = objects_.list();
+    for_each_particle(list, fresh_, [&](std::span<const Index> places) {
+        const bool was_near = std::any_of(places.begin(), places.end(), [&](Index place) {
+            return objects_.was_listed(list.i[place], list.j[place]);
+        });
+        for (const Index place : places) {
+            if (!was_near && has_bit(now_, place) && !objects_.acts(place)) {
+                objects_.set_acting(place);
+                ++late_;
+            }
+        }
+    });
 }
 
 void WallContacts::add_forces(ParticleState& particles,
@@ -393,130 +277,114 @@ void WallContacts::add_forces(ParticleState& particles,
                               double timestep,
                               bool records,
                               const Kernels& kernels) {
+    const Index count = touching_count();
     if (records) {
-        records_.resize(static_cast<std::size_t>(count_) * record_size);
+        records_.resize(std::size_t{count} * record_size);
     }
+    force_.resize(4 * std::size_t{count});
+    const WallVelocity& velocity = wall.velocity();
+    const Vec3& centre = wall.rotation_centre();
     kernels.wall_pass(table.combination(),
-                      records,
                       {.particles = particles.view(),
                        .laws = table.view(timestep),
-                       .count = count_,
-                       .stride = stride_,
-                       .particle = particle_.data(),
-                       .normal = normal_.data(),
-                       .distance = distance_.data(),
-                       .wall_velocity = wall_velocity_.data(),
-                       .wall_spin = wall_spin_.data(),
-                       .entered = entered_.data(),
+                       .particle = objects_.list().i.data(),
+                       .touching = objects_.touching().data(),
+                       .touching_count = count,
+                       .velocity = {velocity.linear.x, velocity.linear.y, velocity.linear.z},
+                       .spin = {velocity.angular.x, velocity.angular.y, velocity.angular.z},
+                       .centre = {centre.x, centre.y, centre.z},
                        .material = static_cast<double>(wall.material()),
-                       .history_in = history_.data(),
-                       .history_out = history_.data(),
+                       .rows = objects_.rows(),
                        .force = force_.data(),
-                       .records = records_.data()});
+                       .records = records ? records_.data() : nullptr});
+}
+
+void WallContacts::add_steps(ParticleState& particles,
+                             const WallBody& wall,
+                             const ContactTable& table,
+                             bool touching_only,
+                             const StepSums& sums,
+                             const Kernels& kernels) {
+    if (touching_only) {
+        hits_.clear();
+        for (Index t = 0; t < touching_count(); ++t) {
+            hits_.push_back({place(t), normal(t), distance(t)});
+        }
+    } else {
+        clock_.look_ahead(particles.smallest_radius());
+        // Against a wall only the particle travels, relative to it: once the horizon, not twice.
+        find_hits(particles, wall, clock_.horizon(), kernels);
+    }
+    step_particle_.clear();
+    step_geometry_.clear();
+    for (const Hit& hit : hits_) {
+        step_particle_.push_back(objects_.list().i[hit.place]);
+        step_geometry_.insert(step_geometry_.end(),
+                              {hit.normal.x, hit.normal.y, hit.normal.z, hit.distance});
+    }
+    kernels.add_wall_steps(table.combination(),
+                           {.particles = particles.view(),
+                            .laws = table.view(0.0),
+                            .particle = step_particle_.data(),
+                            .geometry = step_geometry_.data(),
+                            .count = static_cast<Index>(step_particle_.size()),
+                            .material = static_cast<double>(wall.material()),
+                            .sums = sums});
 }
 
 Vec3 WallContacts::point(const ParticleState& particles, Index t) const {
-    return particles.position(particle_[t]) + distance_[t] * normal(t);
+    return particles.position(particle(t)) + distance(t) * normal(t);
+}
+
+std::size_t WallContacts::compute_object_count(const ParticleState& particles,
+                                               const WallBody& wall) const {
+    const PairList& list = objects_.list();
+    std::size_t count = 0;
+    WallHits found;
+    for (Index first = 0; first < list.count;) {
+        const Index particle = list.i[first];
+        Index last = first;
+        while (last < list.count && list.i[last] == particle) {
+            ++last;
+        }
+        wall.surface().resolve(wall.to_wall(particles.position(particle)),
+                               (1.0 + clock_.settings().tolerance) * particles.radius(particle),
+                               {list.j.data() + first, last - first},
+                               found);
+        count += found.count;
+        first = last;
+    }
+    return count;
 }
 
 void WallContacts::save(Archive& archive, const std::string& name) const {
-    near_clock_.save(archive, name + "/near_clock");
-    candidate_clock_.save(archive, name + "/candidate_clock");
-    const auto put_list = [&](const PairList& list, const std::string& list_name) {
-        archive.put(name + "/" + list_name + "_particle",
-                    std::vector<Index>(list.i.begin(), list.i.begin() + list.count));
-        archive.put(name + "/" + list_name + "_patch",
-                    std::vector<Index>(list.j.begin(), list.j.begin() + list.count));
-    };
-    put_list(candidates_, "candidate");
-    put_list(near_, "near");
-    archive.put(name + "/fresh", fresh_);
-    put_list(soon_, "soon");
-    archive.put(name + "/soon_place", plain(soon_place_));
-    archive.put(name + "/soon_clock", std::vector<double>{last_travel_, soon_travel_, soon_limit_});
-    std::vector<Index> object_particles;
-    std::vector<double> object_normals;
-    for (const WallObject& object : soon_objects_) {
-        object_particles.push_back(object.particle);
-        object_normals.insert(object_normals.end(),
-                              {object.normal.x, object.normal.y, object.normal.z});
-    }
-    archive.put(name + "/object_particle", object_particles);
-    archive.put(name + "/object_normal", object_normals);
-    const auto put_rows = [&](const auto& columns, std::size_t width, const char* column_name) {
-        archive.put(name + "/" + column_name, rows(columns, width, stride_, count_));
-    };
-    put_rows(particle_, 1, "particle");
-    put_rows(patch_, 1, "patch");
-    put_rows(normal_, 3, "normal");
-    put_rows(distance_, 1, "distance");
-    put_rows(wall_velocity_, 3, "wall_velocity");
-    put_rows(wall_spin_, 1, "wall_spin");
-    put_rows(entered_, 1, "entered");
-    put_rows(history_, static_cast<std::size_t>(history_size_), "history");
-    put_rows(force_, 3, "force");
-    archive.put(name + "/records", plain(records_));
+    clock_.save(archive, name);
     archive.put(
-        name + "/counters",
-        std::vector<std::uint64_t>{
-            count_, last_cycle_, late_, object_count_, static_cast<std::uint64_t>(just_renewed_)});
+        name + "/candidate_particle",
+        std::vector<Index>(candidates_.i.begin(), candidates_.i.begin() + candidates_.count));
+    archive.put(
+        name + "/candidate_patch",
+        std::vector<Index>(candidates_.j.begin(), candidates_.j.begin() + candidates_.count));
+    objects_.save(archive, name + "/objects");
+    archive.put(name + "/force", std::vector<double>(force_.begin(), force_.end()));
+    archive.put(name + "/records", std::vector<double>(records_.begin(), records_.end()));
+    archive.put(name + "/late", late_);
 }
 
 void WallContacts::load(const Archive& archive, const std::string& name) {
-    near_clock_.load(archive, name + "/near_clock");
-    candidate_clock_.load(archive, name + "/candidate_clock");
-    const auto get_list = [&](PairList& list, const std::string& list_name) {
-        const auto& particle = archive.get<Index>(name + "/" + list_name + "_particle");
-        const auto& patch = archive.get<Index>(name + "/" + list_name + "_patch");
-        list.i.assign(particle.begin(), particle.end());
-        list.j.assign(patch.begin(), patch.end());
-        list.count = static_cast<Index>(particle.size());
-        list.pad();
-    };
-    get_list(candidates_, "candidate");
-    get_list(near_, "near");
-    fresh_ = archive.get<std::uint8_t>(name + "/fresh");
-    get_list(soon_, "soon");
-    const auto& clock = archive.get<double>(name + "/soon_clock");
-    last_travel_ = clock.at(0);
-    soon_travel_ = clock.at(1);
-    soon_limit_ = clock.at(2);
-    const auto& object_particles = archive.get<Index>(name + "/object_particle");
-    const auto& object_normals = archive.get<double>(name + "/object_normal");
-    soon_objects_.clear();
-    for (std::size_t k = 0; k < object_particles.size(); ++k) {
-        soon_objects_.push_back({object_particles[k],
-                                 {object_normals.at(3 * k),
-                                  object_normals.at(3 * k + 1),
-                                  object_normals.at(3 * k + 2)}});
-    }
-    const auto get = [&](Column<double>& column, const std::string& column_name) {
-        const auto& from = archive.get<double>(name + "/" + column_name);
-        column.assign(from.begin(), from.end());
-    };
-    const auto get_index = [&](Column<Index>& column, const std::string& column_name) {
-        const auto& from = archive.get<Index>(name + "/" + column_name);
-        column.assign(from.begin(), from.end());
-    };
-    get_index(soon_place_, "soon_place");
-    get_index(particle_, "particle");
-    get_index(patch_, "patch");
-    get(normal_, "normal");
-    get(distance_, "distance");
-    get(wall_velocity_, "wall_velocity");
-    get(wall_spin_, "wall_spin");
-    get(entered_, "entered");
-    get(history_, "history");
-    get(force_, "force");
-    get(records_, "records");
-    const auto& counters = archive.get<std::uint64_t>(name + "/counters");
-    count_ = static_cast<Index>(counters.at(0));
-    stride_ = count_;
-    last_cycle_ = counters.at(1);
-    late_ = counters.at(2);
-    object_count_ = static_cast<Index>(counters.at(3));
-    just_renewed_ = counters.at(4) != 0;
-    started_ = true;
+    clock_.load(archive, name);
+    const auto& particle = archive.get<Index>(name + "/candidate_particle");
+    const auto& patch = archive.get<Index>(name + "/candidate_patch");
+    candidates_.i.assign(particle.begin(), particle.end());
+    candidates_.j.assign(patch.begin(), patch.end());
+    candidates_.count = static_cast<Index>(particle.size());
+    candidates_.pad();
+    objects_.load(archive, name + "/objects");
+    const auto& force = archive.get<double>(name + "/force");
+    force_.assign(force.begin(), force.end());
+    const auto& records = archive.get<double>(name + "/records");
+    records_.assign(records.begin(), records.end());
+    late_ = archive.count(name + "/late");
 }
 
 }  // namespace grainbench

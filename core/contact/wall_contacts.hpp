@@ -2,27 +2,24 @@
 /// of core/walls/surface.hpp, and the history that follows a particle from patch to patch.
 #pragma once
 
-#include "core/contact/pair_contacts.hpp"
+#include "core/contact/contact_objects.hpp"
+#include "core/contact/contact_table.hpp"
+#include "core/search/list_clock.hpp"
 #include "core/walls/wall_body.hpp"
 
 #include <string>
 
 namespace grainbench {
 
-/// One contact object of a wall, for the stable step.
-struct WallObject {
-    Index particle;
-    Vec3 normal;
-};
-
 class WallContacts {
 public:
     WallContacts(const SearchSettings& settings, int history_size);
 
     /// Other laws from here on: column c of the history takes over sources[c]; -1 starts from zero.
-    void change_history(std::span<const int> sources);
+    void change_history(std::span<const int> sources) { objects_.change_history(sources); }
 
-    void add_travel(double bound);
+    /// Adds the travel bound of one step, relative to the wall.
+    void add_travel(double bound) { clock_.add_travel(bound); }
 
     /// Renews the lists that are due, at the present positions.
     Renewal update(std::uint64_t cycle,
@@ -42,30 +39,43 @@ public:
                     bool records,
                     const Kernels& kernels);
 
-    Index touching_count() const { return count_; }
+    /// Adds to the sums for the stable step the contacts that touch or may touch soon, or only
+    /// those that touch.
+    void add_steps(ParticleState& particles,
+                   const WallBody& wall,
+                   const ContactTable& table,
+                   bool touching_only,
+                   const StepSums& sums,
+                   const Kernels& kernels);
 
-    Index particle(Index t) const { return particle_[t]; }
+    Index touching_count() const { return static_cast<Index>(objects_.touching().size()); }
+
+    Index particle(Index t) const { return objects_.list().i[place(t)]; }
 
     /// Unit vector from the particle to the wall.
-    Vec3 normal(Index t) const { return column_vector(normal_, t); }
+    Vec3 normal(Index t) const {
+        const double* geometry = objects_.extra(place(t));
+        return {geometry[0], geometry[1], geometry[2]};
+    }
+
+    /// From the centre to the closest point of the wall [m].
+    double distance(Index t) const { return objects_.extra(place(t))[3]; }
 
     /// Of the particle on the wall [N].
-    Vec3 force(Index t) const { return column_vector(force_, t); }
+    Vec3 force(Index t) const {
+        const double* force = force_.data() + 4 * std::size_t{t};
+        return {force[0], force[1], force[2]};
+    }
 
     /// Closest point of the wall [m].
     Vec3 point(const ParticleState& particles, Index t) const;
-
-    double distance(Index t) const { return distance_[t]; }
 
     const double* record(Index t) const {
         return records_.data() + static_cast<std::size_t>(t) * record_size;
     }
 
-    /// Contact objects: within the detection tolerance at the last renewal.
-    Index object_count() const { return object_count_; }
-
-    /// Those that touch or may touch soon.
-    std::span<const WallObject> soon() const { return soon_objects_; }
+    /// Contact objects: contacts within the detection tolerance, among the entries of the list.
+    std::size_t compute_object_count(const ParticleState& particles, const WallBody& wall) const;
 
     std::uint64_t late_count() const { return late_; }
 
@@ -73,53 +83,53 @@ public:
     void load(const Archive& archive, const std::string& name);
 
 private:
-    Vec3 column_vector(const Column<double>& columns, Index t) const {
-        return {columns[t], columns[stride_ + t], columns[2 * stride_ + t]};
-    }
+    struct Hit {
+        Index place;
+        Vec3 normal;
+        double distance;
+    };
 
-    bool is_due(std::uint64_t cycle, const ParticleState& particles, const WallBody& wall);
+    Index place(Index t) const { return objects_.touching()[t].place(); }
+
     void build_candidates(const ParticleState& particles, const WallBody& wall);
     void renew(const ParticleState& particles, const WallBody& wall, const Kernels& kernels);
-    void renew_soon(const ParticleState& particles, const WallBody& wall, const Kernels& kernels);
-    void reserve(std::size_t contacts);
-    bool add_hits(const ParticleState& particles,
-                  const WallBody& wall,
-                  Index particle,
-                  std::span<const WallHit> hits,
-                  Index& before);
 
-    /// Gives the contacts from `first_new` on the history of a contact before: of the same patch,
-    /// else of a neighbour that they continue.
-    void hand_over(const Surface& surface, Index first_new, Index first_before, Index last_before);
-    void take_history(Index t, Index before);
+    /// Asks the planes of the patches about all entries of a list, for spheres of radius
+    /// scale * R + extra.
+    void test(const ParticleState& particles,
+              const WallBody& wall,
+              const PairList& list,
+              double scale,
+              double extra,
+              const Kernels& kernels);
 
-    SearchSettings settings_;
-    int history_size_ = 0;
-    bool started_ = false;
-    std::uint64_t last_cycle_ = 0;
-    TravelClock near_clock_{true};
-    TravelClock candidate_clock_;
-    PairList candidates_;  ///< particle, patch
-    PairList near_;        ///< particle, patch
+    /// Fills hits_ with the contacts of spheres of radius R + extra, by place.
+    void find_hits(const ParticleState& particles,
+                   const WallBody& wall,
+                   double extra,
+                   const Kernels& kernels);
+    bool add_faces(const ParticleState& particles,
+                   const WallBody& wall,
+                   std::span<const Index> places);
+    void resolve(const ParticleState& particles,
+                 const WallBody& wall,
+                 double extra,
+                 std::span<const Index> places);
+    void hand_over(const Surface& surface);
+    void adopt_late_contacts();
+
+    ListClock clock_;
+    PairList candidates_;     ///< particle, patch
+    ContactObjects objects_;  ///< particle, patch; extra packet: normal, distance
     bool just_renewed_ = false;
-    std::vector<std::uint8_t> fresh_;  ///< by near entry: not near before the last renewal
-    Index object_count_ = 0;
-    PairList soon_;             ///< particle, patch
-    Column<Index> soon_place_;  ///< in near_
-    std::vector<WallObject> soon_objects_;
-    double last_travel_ = 0.0, soon_travel_ = 0.0, soon_limit_ = 0.0;
+    std::vector<std::uint64_t> face_, doubt_, now_;  ///< bit by entry
+    Column<double> height_;                          ///< [m] by entry
     Column<Index> found_;
-
-    Index count_ = 0;
-    std::size_t stride_ = 0;  ///< of all columns below
-    Column<Index> particle_, patch_;
-    Column<double> normal_, distance_, wall_velocity_, wall_spin_, entered_, history_, force_;
-    Column<double> records_;
-    Index count_before_ = 0;
-    std::size_t stride_before_ = 0;
-    Column<Index> particle_before_, patch_before_;
-    Column<double> normal_before_, history_before_;
-    std::vector<std::uint8_t> taken_;  ///< by contact before: history already handed over
+    std::vector<Hit> hits_;
+    std::vector<Index> patches_, opened_, fresh_;
+    Column<Index> step_particle_;   ///< by contact that counts for the stable step
+    Column<double> step_geometry_;  ///< packet by contact: normal, distance
+    Column<double> force_, records_;
     std::uint64_t late_ = 0;
 };
 

@@ -6,35 +6,32 @@
 ///          K = k / (sqrt(1 + beta^2) - beta)^2          (3), in ContactTable::step_stiffness
 /// Source   PFC documentation, timestep determination; Belytschko 1983 for (3)
 ///          (physics reference 2.2). Departs from it in the normals, which are those of the last
-///          change of the contact list, not of every cycle.
-/// Symbols  m, I inertial mass [kg] and moment [kg m^2]; k_n, k_s [N/m]; R lever arm [m];
+///          change of the contacts that count, not of every cycle.
+/// Symbols  m, I inertial mass [kg] and moment, 2/5 m R^2 [kg m^2]; k_n, k_s [N/m]; R lever arm
+/// [m];
 ///          beta damping ratio [1]; n_i component i of the contact normal [1].
-/// Limits   diagonal estimate: all contact objects count, touching or not; no proof of stability.
+/// Limits   diagonal estimate: all contacts that count do so alike, touching or not; no proof of
+///          stability.
 #pragma once
 
 #include "core/contact/contact_table.hpp"
 #include "core/state/particle_state.hpp"
-
-#include <span>
 
 namespace grainbench {
 
 class StableStep {
 public:
     StableStep() = default;
-    explicit StableStep(Index particle_count);
+    explicit StableStep(const ParticleState& particles);
 
-    /// Starts a new sum; then add every contact that counts. Costs nothing for particles without.
-    void clear();
-    void add_pair(const ParticleState& particles, const ContactTable& table, Index i, Index j);
-    void add_wall(const ParticleState& particles,
-                  const ContactTable& table,
-                  Index i,
-                  Index wall_material,
-                  const Vec3& normal);
+    /// Starts new sums; then let every contact that counts add to sums().
+    /// \param rotation_rules no contact can make translation the limit: its sums are left out
+    void clear(bool rotation_rules);
+
+    StepSums sums();
 
     /// Smallest dt_i of (1) [s]; infinite without contacts.
-    double limit(const ParticleState& particles) const;
+    double limit(ParticleState& particles, const Kernels& kernels);
 
     /// dt_i of one particle [s]; infinite without contacts.
     double limit_of(const ParticleState& particles, Index slot) const;
@@ -46,15 +43,8 @@ public:
                                        Index material_count);
 
 private:
-    void add(Index slot,
-             const double (&normal_squares)[3],
-             double lever,
-             const StepStiffness& stiffness,
-             bool rotation_only);
-
-    Column<double> sums_;  ///< six per particle: k_x, k_y, k_z, kappa_x, kappa_y, kappa_z
-    std::vector<std::uint8_t> listed_;  ///< by particle: has a contact that counts
-    std::vector<Index> list_;           ///< those particles
+    Column<double> shear_;   ///< packet by particle: sum of K_s n^2 per axis, sum of K_s [N/m]
+    Column<double> normal_;  ///< packet by particle: sum of K_n n^2 per axis [N/m]; may be empty
 };
 
 /// Largest dt for which no particle moves by more than its tolerance along an axis [s]:

@@ -11,53 +11,99 @@ namespace grainbench {
 
 /// Columns of packets, four doubles per particle (share/doc/decisions/0002-packets-of-four.md).
 struct ParticleView {
-    double* position;               ///< x, y, z [m], radius [m]
-    double* velocity;               ///< v at the half step [m/s], inverse mass [1/kg]
-    double* spin;                   ///< omega at the half step [rad/s], material
-    double* force;                  ///< [N], 0
-    double* torque;                 ///< [N m], 0
-    const double* inverse_mass;     ///< [1/kg] three times, 0
-    const double* inverse_inertia;  ///< [1/(kg m^2)] three times, 0
-    std::size_t padded_size;        ///< doubles per column, a multiple of 8
+    double* position;          ///< x, y, z [m], radius [m]
+    double* velocity;          ///< v at the half step [m/s], inverse mass [1/kg]
+    double* spin;              ///< omega at the half step [rad/s], material
+    double* force;             ///< [N], 0
+    double* torque;            ///< [N m], inverse moment of inertia [1/(kg m^2)]
+    std::uint8_t* loaded;      ///< by particle: 0 where force and torque are zero
+    std::size_t count;         ///< of particles
+    std::size_t padded_count;  ///< rows of each column, a multiple of 8
 };
 
-/// Kick and drift of all particles.
+/// Kick and drift of all particles; takes their forces and torques away.
 struct MotionPass {
     ParticleView particles;
-    double gravity[8];       ///< [m/s^2] packet, twice
-    double frame[8];         ///< [m/s] packet, twice: velocity relative to which travel is measured
+    double gravity[4];       ///< [m/s^2]
+    double frame[4];         ///< [m/s] velocity relative to which travel is measured
     double kick;             ///< [s] half the old plus half the new step
     double drift;            ///< [s] new step
+    bool few_are_loaded;     ///< worth looking at `loaded` before touching forces
     double fastest[4];       ///< out: largest |v - frame| per axis
     double velocity_sum[4];  ///< out: sum of v per axis; not finite if any v is not
 };
 
-/// Pairs whose distance is at most scale * (R_i + R_j) + extra.
-struct ClosePairs {
+/// How far particles have come from where they were, relative to a frame.
+struct TravelPass {
+    const double* position;   ///< packets
+    const double* reference;  ///< packets: positions then
+    std::size_t padded_count;
+    double frame[3];         ///< [m] displacement of the frame meanwhile
+    double smallest_radius;  ///< [m]; travel counts in units of R / smallest_radius, or
+    bool by_radius;          ///< if false, as it is
+    double largest_square;   ///< out: of the travel [m^2]
+};
+
+/// A list of pairs whose distance is compared with scale * (R_i + R_j) + extra.
+struct PairQuery {
     const double* position;
     const Index* i;
     const Index* j;
-    Index count;  ///< the columns are readable up to the next multiple of 8
+    Index count;  ///< the columns are readable up to the next multiple of 64
     double scale;
     double extra;  ///< [m]
-    Index* found;  ///< out: ascending places in the list; room for count + 8
 };
 
-/// Entries of a wall list whose bounding plane is within scale * R + extra of the centre, in the
-/// wall's frame: centre - shift, or turned by `rotation` first about `centre`.
-struct ClosePatches {
+/// A grid of cells over particles.
+struct CellGrid {
+    double low[3];        ///< [m]
+    double inverse_edge;  ///< [1/m]
+    std::int64_t cells[3];
+
+    std::int64_t coordinate(double x, int axis) const {
+        const auto cell = static_cast<std::int64_t>((x - low[axis]) * inverse_edge);
+        return cell < 0 ? 0 : cell < cells[axis] ? cell : cells[axis] - 1;
+    }
+};
+
+/// Pairs whose distance is at most scale * (R_i + R_j) + extra, from a grid. A pair is found by its
+/// larger particle, or by the first of equals.
+struct CellSearch {
+    CellGrid grid;
+    const double* packet;     ///< positions in the order of cells
+    const Index* slot;        ///< by place in that order
+    const Index* cell_start;  ///< by cell: first place; one more at the end
+    Index count;              ///< of places
+    double smallest_radius;
+    double scale;
+    double extra;  ///< [m]
+    Index* i;      ///< out: lower slot
+    Index* j;      ///< out: higher slot
+    std::size_t capacity;
+    Index next = 0;         ///< place to go on from: count when done, less when out of room
+    std::size_t found = 0;  ///< pairs
+};
+
+/// Entries of a wall list, whose patches are compared with spheres of radius scale * R + extra, in
+/// the wall's frame: centre - shift, turned by `rotation` if `rotated`.
+struct PatchQuery {
     const double* position;
-    const double* planes;  ///< packets {n, d}, one per patch
+    const double* planes;  ///< four packets per patch, see Surface::planes
     const Index* particle;
     const Index* patch;
-    Index count;
+    Index count;         ///< the columns are readable up to the next multiple of 64
     double shift[3];     ///< [m] displacement of the wall
     double rotation[9];  ///< rows of the matrix from space to the wall's frame
-    double centre[3];    ///< [m] fixed point of the rotation, at the start
     bool rotated;
     double scale;
     double extra;
-    Index* found;
+};
+
+/// What the planes of a patch alone can tell of an entry, as one bit per entry.
+struct PatchAnswers {
+    std::uint64_t* face;   ///< the closest point lies inside the face, within reach
+    std::uint64_t* doubt;  ///< it may be within reach, on an edge or a vertex
+    double* height;        ///< [m] by entry: of the centre over the plane
 };
 
 inline constexpr Index record_size = 14;
@@ -85,53 +131,111 @@ struct LawView {
     const double* values;  ///< column per value, one row per pair of materials
     Index value_stride;    ///< rows of a column
     Index material_count;
+    bool uniform;     ///< all rows are alike
     double timestep;  ///< [s]
+};
+
+/// A touching contact by its place in a list, and whether this is its first step.
+class TouchingContact {
+public:
+    TouchingContact() = default;
+
+    constexpr TouchingContact(Index place, bool is_new)
+        : bits_(place | (is_new ? new_bit : Index{0})) {}
+
+    constexpr Index place() const { return bits_ & ~new_bit; }
+
+    constexpr bool is_new() const { return (bits_ & new_bit) != 0; }
+
+private:
+    static constexpr Index new_bit = Index{1} << 31;
+    Index bits_ = 0;
 };
 
 /// Forces of the touching pairs.
 struct PairPass {
     ParticleView particles;
     LawView laws;
-    const Index* i;
-    const Index* j;
-    const Index* touching;  ///< ascending places in the list
-    Index touching_count;   ///< the column is readable up to the next multiple of 8
-    std::uint8_t*
-        active;  ///< by place: 1 if the contact acted in the last step, or was born overlapping
-    double* history;  ///< columns by place
-    std::size_t history_stride;
-    double* records;  ///< by touching contact; unread unless the pass records
+    const Index* i;                   ///< by place
+    const Index* j;                   ///< by place
+    const TouchingContact* touching;  ///< ascending
+    Index touching_count;
+    double* rows;     ///< by place: history_packets(size) packets
+    double* records;  ///< by touching contact; null where none are kept
 };
 
-/// Forces of the contacts with one wall; geometry is in columns of `stride`.
+/// Packets that hold the history of one contact.
+constexpr Index history_packets(int history_size) {
+    return static_cast<Index>((history_size + 3) / 4);
+}
+
+/// Forces of the contacts with one wall.
 struct WallPass {
     ParticleView particles;
     LawView laws;
+    const Index* particle;            ///< by place
+    const TouchingContact* touching;  ///< ascending
+    Index touching_count;
+    double velocity[3];  ///< [m/s] of the wall at `centre`
+    double spin[3];      ///< [rad/s] of the wall
+    double centre[3];    ///< [m] that the wall turns about
+    double material;     ///< of the wall
+    double* rows;     ///< by place: history, then a packet {normal to the wall [1], distance [m]}
+    double* force;    ///< packet by touching contact: force on the wall [N]
+    double* records;  ///< by touching contact; null where none are kept
+};
+
+/// Sums over contacts for the stable step (core/integrate/stable_step.hpp).
+struct StepSums {
+    double* shear;   ///< packet by particle: sum of K_s n^2 per axis, sum of K_s [N/m]
+    double* normal;  ///< packet by particle: sum of K_n n^2 per axis; null where rotation rules
+};
+
+/// Adds contacts between particles.
+struct PairStepPass {
+    ParticleView particles;
+    LawView laws;
+    const Index* i;      ///< by place
+    const Index* j;      ///< by place
+    const Index* place;  ///< by contact
     Index count;
-    std::size_t stride;
-    const Index* particle;
-    const double* normal;         ///< three columns: from the particle to the wall
-    const double* distance;       ///< [m] from the centre to the wall
-    const double* wall_velocity;  ///< three columns [m/s] of the wall at the contact
-    const double* wall_spin;      ///< [rad/s] of the wall about the normal
-    const double* entered;        ///< 1 if the contact acted in the last step, else 0
-    double material;              ///< of the wall
-    const double* history_in;     ///< columns
-    double* history_out;          ///< columns
-    double* force;                ///< three columns: force on the wall [N]
-    double* records;              ///< by contact; unread unless the pass records
+    StepSums sums;
+};
+
+/// Adds contacts with a wall.
+struct WallStepPass {
+    ParticleView particles;
+    LawView laws;
+    const Index* particle;   ///< by contact
+    const double* geometry;  ///< packet by contact: normal to the wall
+    Index count;
+    double material;  ///< of the wall
+    StepSums sums;
 };
 
 /// One instruction set's passes.
 struct Kernels {
     std::string_view isa;
     void (*move)(MotionPass&);
-    Index (*find_pairs)(const ClosePairs&);
-    Index (*find_patches)(const ClosePatches&);
+    void (*measure_travel)(TravelPass&);
 
-    /// By combination of laws (contact/law_table.hpp) and whether records are kept.
-    void (*pair_pass)(std::size_t combination, bool records, const PairPass&);
-    void (*wall_pass)(std::size_t combination, bool records, const WallPass&);
+    void (*search_cells)(CellSearch&);
+
+    /// Places of the pairs within reach, ascending; `found` has room for count + 8.
+    Index (*find_pairs)(const PairQuery&, Index* found);
+
+    /// One bit per pair: within reach. Bits past the end are zero.
+    void (*test_pairs)(const PairQuery&, std::uint64_t* within);
+    void (*test_patches)(const PatchQuery&, const PatchAnswers&);
+
+    /// By combination of laws (contact/law_table.hpp).
+    void (*pair_pass)(std::size_t combination, const PairPass&);
+    void (*wall_pass)(std::size_t combination, const WallPass&);
+    void (*add_pair_steps)(std::size_t combination, const PairStepPass&);
+    void (*add_wall_steps)(std::size_t combination, const WallStepPass&);
+
+    /// Largest of k/m and kappa/I over all particles and axes [1/s^2]; 0 without contacts.
+    double (*largest_step_ratio)(const ParticleView&, const StepSums&);
 };
 
 /// Passes of one instruction set: "scalar", "sse4", "avx2", "avx512", or "" for the best that this

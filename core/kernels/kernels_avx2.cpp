@@ -7,11 +7,6 @@ namespace grainbench {
 
 extern const Kernels kernels_avx2;
 
-const Kernels kernels_avx2{"avx2",
-                           &isa_avx2::move,
-                           &isa_avx2::find_pairs,
-                           &isa_avx2::find_patches,
-                           &isa_avx2::choose_pair_pass,
-                           &isa_avx2::choose_wall_pass};
+const Kernels kernels_avx2 = isa_avx2::make_kernels("avx2");
 
 }  // namespace grainbench

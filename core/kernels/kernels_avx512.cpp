@@ -7,11 +7,6 @@ namespace grainbench {
 
 extern const Kernels kernels_avx512;
 
-const Kernels kernels_avx512{"avx512",
-                             &isa_avx512::move,
-                             &isa_avx512::find_pairs,
-                             &isa_avx512::find_patches,
-                             &isa_avx512::choose_pair_pass,
-                             &isa_avx512::choose_wall_pass};
+const Kernels kernels_avx512 = isa_avx512::make_kernels("avx512");
 
 }  // namespace grainbench

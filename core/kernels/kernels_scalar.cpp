@@ -7,11 +7,6 @@ namespace grainbench {
 
 extern const Kernels kernels_scalar;
 
-const Kernels kernels_scalar{"scalar",
-                             &isa_scalar::move,
-                             &isa_scalar::find_pairs,
-                             &isa_scalar::find_patches,
-                             &isa_scalar::choose_pair_pass,
-                             &isa_scalar::choose_wall_pass};
+const Kernels kernels_scalar = isa_scalar::make_kernels("scalar");
 
 }  // namespace grainbench

@@ -7,11 +7,6 @@ namespace grainbench {
 
 extern const Kernels kernels_sse4;
 
-const Kernels kernels_sse4{"sse4",
-                           &isa_sse4::move,
-                           &isa_sse4::find_pairs,
-                           &isa_sse4::find_patches,
-                           &isa_sse4::choose_pair_pass,
-                           &isa_sse4::choose_wall_pass};
+const Kernels kernels_sse4 = isa_sse4::make_kernels("sse4");
 
 }  // namespace grainbench

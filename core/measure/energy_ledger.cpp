@@ -56,8 +56,8 @@ void EnergyLedger::add_work(const LedgerView& view, double lead, double duration
     const auto touching = view.pairs.touching();
     for (Index t = 0; t < touching.size(); ++t) {
         const double* record = view.pairs.record(t);
-        const Index i = view.pairs.objects().i[touching[t]];
-        const Index j = view.pairs.objects().j[touching[t]];
+        const Index i = view.pairs.objects().i[touching[t].place()];
+        const Index j = view.pairs.objects().j[touching[t].place()];
         const Velocities vi = velocities_at(p, view.gravity, i, lead);
         const Velocities vj = velocities_at(p, view.gravity, j, lead);
         const Vec3 spin = record[record_lever_i] * vi.angular + record[record_lever_j] * vj.angular;

@@ -8,7 +8,7 @@
 
 namespace grainbench {
 
-/// Pairs in two columns, readable up to the next multiple of 8 past `count` (the padding pairs
+/// Pairs in two columns, readable up to the next multiple of 64 past `count` (the padding pairs
 /// particle 0 with itself and is never used).
 struct PairList {
     Column<Index> i;
@@ -29,9 +29,12 @@ struct PairList {
 
     /// Call once after the last append.
     void pad() {
-        i.resize((count + 7) / 8 * 8 + 8, 0);
+        i.resize((static_cast<std::size_t>(count) + 63) / 64 * 64, 0);
         j.resize(i.size(), 0);
     }
+
+    /// One bit per pair fills so many words.
+    std::size_t words() const { return i.size() / 64; }
 };
 
 /// Finds all pairs whose distance is at most scale * (R_i + R_j) + extra. The grid suits the
@@ -39,27 +42,23 @@ struct PairList {
 /// it needs, so size ratios cost little. Work space is kept between calls.
 class CandidateFinder {
 public:
-    void find(const ParticleState& particles, double scale, double extra, PairList& pairs);
+    void find(const ParticleState& particles,
+              double scale,
+              double extra,
+              const Kernels& kernels,
+              PairList& pairs);
 
 private:
-    struct Grid {
-        Vec3 low{};
-        double inverse_edge = 1.0;
-        std::int64_t cells[3] = {1, 1, 1};
-
-        std::int64_t coordinate(double x, int axis) const;
-    };
-
     void sort_into_cells(const ParticleState& particles, double edge);
-    void find_around(Index n, double scale, double extra);
-    void order_pairs(Index particle_count, PairList& pairs);
+    void order_pairs(Index particle_count, std::size_t found, PairList& pairs);
 
-    Grid grid_;
+    CellGrid grid_{};
     std::vector<Index> cell_start_;
+    std::vector<Index> next_;  ///< by cell or row, while counting
     std::vector<std::uint32_t> cell_of_;
     std::vector<Index> slot_;  ///< by place in the sorted order
     Column<double> packet_;    ///< positions in the sorted order
-    std::vector<std::pair<Index, Index>> found_;
+    Column<Index> found_i_, found_j_;
     std::vector<Index> row_start_;
 };
 

@@ -11,45 +11,46 @@ void TravelClock::restart(const ParticleState& particles, const Vec3& shift) {
     reference_.assign(positions.begin(), positions.end());
 }
 
-double TravelClock::measure(const ParticleState& particles, const Vec3& shift) const {
+double TravelClock::measure(const ParticleState& particles,
+                            const Vec3& shift,
+                            const Kernels& kernels) const {
     const Vec3 frame = shift - shift_;
-    const double smallest_square = particles.smallest_radius() * particles.smallest_radius();
-    const double* now = particles.positions().data();
-    double largest = 0.0;
-    for (std::size_t k = 0; k < 4 * static_cast<std::size_t>(particles.size()); k += 4) {
-        const double x = now[k] - reference_[k] - frame.x;
-        const double y = now[k + 1] - reference_[k + 1] - frame.y;
-        const double z = now[k + 2] - reference_[k + 2] - frame.z;
-        const double square = x * x + y * y + z * z;
-        const double scale = by_radius_ ? smallest_square / (now[k + 3] * now[k + 3]) : 1.0;
-        largest = std::max(largest, square * scale);
-    }
-    return std::sqrt(largest);
+    TravelPass pass{.position = particles.positions().data(),
+                    .reference = reference_.data(),
+                    .padded_count = particles.positions().size() / 4,
+                    .frame = {frame.x, frame.y, frame.z},
+                    .smallest_radius = particles.smallest_radius(),
+                    .by_radius = by_radius_,
+                    .largest_square = 0.0};
+    kernels.measure_travel(pass);
+    return std::sqrt(pass.largest_square);
 }
 
 bool TravelClock::expired(double limit,
                           const ParticleState& particles,
                           const Vec3& shift,
-                          bool exact) {
+                          bool exact,
+                          const Kernels& kernels) {
     if (travel_ <= limit) {
         return false;
     }
     if (exact) {
-        travel_ = measure(particles, shift);
+        travel_ = measure(particles, shift, kernels);
     }
     return travel_ > limit;
 }
 
 void TravelClock::save(Archive& archive, const std::string& name) const {
     archive.put(name + "/travel", std::vector<double>{travel_, shift_.x, shift_.y, shift_.z});
-    archive.put(name + "/reference", reference_);
+    archive.put(name + "/reference", std::vector<double>(reference_.begin(), reference_.end()));
 }
 
 void TravelClock::load(const Archive& archive, const std::string& name) {
     const auto& travel = archive.get<double>(name + "/travel");
     travel_ = travel.at(0);
     shift_ = {travel.at(1), travel.at(2), travel.at(3)};
-    reference_ = archive.get<double>(name + "/reference");
+    const auto& reference = archive.get<double>(name + "/reference");
+    reference_.assign(reference.begin(), reference.end());
 }
 
 }  // namespace grainbench

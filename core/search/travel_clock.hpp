@@ -23,7 +23,11 @@ public:
 
     /// True if some particle has moved by more than `limit` [m]. Where `exact` is false (turning
     /// frames) the bound alone decides.
-    bool expired(double limit, const ParticleState& particles, const Vec3& shift, bool exact);
+    bool expired(double limit,
+                 const ParticleState& particles,
+                 const Vec3& shift,
+                 bool exact,
+                 const Kernels& kernels);
 
     double travel() const { return travel_; }
 
@@ -31,12 +35,12 @@ public:
     void load(const Archive& archive, const std::string& name);
 
 private:
-    double measure(const ParticleState& particles, const Vec3& shift) const;
+    double measure(const ParticleState& particles, const Vec3& shift, const Kernels& kernels) const;
 
     bool by_radius_ = false;
     double travel_ = 0.0;
     Vec3 shift_{};
-    std::vector<double> reference_;
+    Column<double> reference_;  ///< packets: positions at the restart
 };
 
 }  // namespace grainbench

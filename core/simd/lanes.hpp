@@ -12,6 +12,9 @@
 
 #include <hwy/highway.h>
 
+#include <cstdint>
+#include <type_traits>
+
 namespace grainbench::GRAINBENCH_ISA {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -73,47 +76,197 @@ inline void store(Pack a, double* to) {
 
 /// Lane l set = bit l.
 inline unsigned bits_of(Mask mask) {
+#if HWY_TARGET <= HWY_AVX3
+    return mask.m.raw;
+#else
     std::uint8_t bytes[8] = {};
     hn::StoreMaskBits(Tag(), mask.m, bytes);
     return bytes[0];
+#endif
 }
 
-/// Positions of `width` rows in a column; rows of packets are four doubles apart.
-class Rows {
-public:
-    /// Reads `width` indices.
-    explicit Rows(const Index* rows)
-        : offsets_(hn::PromoteTo(Offsets(),
-                                 hn::LoadU(hn::Rebind<std::int32_t, Tag>(),
-                                           reinterpret_cast<const std::int32_t*>(rows)))),
-          packet_offsets_(hn::ShiftLeft<2>(offsets_)) {}
+inline bool any(Mask mask) {
+    return bits_of(mask) != 0;
+}
 
-    /// Component of the packet of each row.
-    Pack packet(const double* packets, int component) const {
-        return hn::GatherIndex(Tag(), packets + component, packet_offsets_);
+/// Bit l set = lane l.
+inline Mask mask_of(unsigned bits) {
+    const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits)};
+    return {hn::LoadMaskBits(Tag(), bytes)};
+}
+
+/// Bits of the first `valid` lanes.
+inline unsigned first_bits(Index valid) {
+    return valid < width ? (1U << valid) - 1U : (1U << width) - 1U;
+}
+
+/// Appends first + l to `found` for each set bit l; returns the new count. May write up to `width`
+/// elements past it.
+inline Index append_places(unsigned bits, Index first, Index* found, Index count) {
+#if HWY_TARGET <= HWY_AVX3
+    const __m256i lanes = _mm256_add_epi32(_mm256_set1_epi32(static_cast<int>(first)),
+                                           _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+    // Compressed in a register: compressing into memory is many times slower on some processors.
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(found + count),
+                        _mm256_maskz_compress_epi32(static_cast<__mmask8>(bits), lanes));
+    return count + static_cast<Index>(__builtin_popcount(bits));
+#else
+    for (; bits != 0; bits &= bits - 1) {
+        found[count++] = first + static_cast<Index>(__builtin_ctz(bits));
     }
+    return count;
+#endif
+}
 
-    Vec3Of<Pack> vector(const double* packets) const {
-        return {packet(packets, 0), packet(packets, 1), packet(packets, 2)};
-    }
-
-    /// Element of a plain column of each row.
-    Pack element(const double* column) const { return hn::GatherIndex(Tag(), column, offsets_); }
-
-private:
-    using Offsets = hn::RebindToSigned<Tag>;
-    hn::Vec<Offsets> offsets_;
-    hn::Vec<Offsets> packet_offsets_;
+/// One component per pack of the packets of `width` rows.
+struct Packets {
+    Vec3Of<Pack> xyz;
+    Pack w;
 };
+
+/// Reads the packets of rows row(0) ... row(width - 1) whole and turns them into components:
+/// several times faster than gathering each component.
+template <class Row>
+Packets load_packets(const double* column, const Row& row) {
+    const auto at = [&](Index l) { return column + 4 * static_cast<std::size_t>(row(l)); };
+#if HWY_TARGET == HWY_SCALAR
+    const double* p = at(0);
+    return {{Pack(p[0]), Pack(p[1]), Pack(p[2])}, Pack(p[3])};
+#elif HWY_MAX_BYTES == 16
+    const auto xy0 = hn::Load(Tag(), at(0)), zw0 = hn::Load(Tag(), at(0) + 2);
+    const auto xy1 = hn::Load(Tag(), at(1)), zw1 = hn::Load(Tag(), at(1) + 2);
+    return {{hn::InterleaveLower(Tag(), xy0, xy1),
+             hn::InterleaveUpper(Tag(), xy0, xy1),
+             hn::InterleaveLower(Tag(), zw0, zw1)},
+            hn::InterleaveUpper(Tag(), zw0, zw1)};
+#elif HWY_MAX_BYTES == 32
+    const auto r0 = hn::Load(Tag(), at(0)), r1 = hn::Load(Tag(), at(1));
+    const auto r2 = hn::Load(Tag(), at(2)), r3 = hn::Load(Tag(), at(3));
+    const auto xz01 = hn::InterleaveLower(Tag(), r0, r1);
+    const auto xz23 = hn::InterleaveLower(Tag(), r2, r3);
+    const auto yw01 = hn::InterleaveUpper(Tag(), r0, r1);
+    const auto yw23 = hn::InterleaveUpper(Tag(), r2, r3);
+    return {{hn::ConcatLowerLower(Tag(), xz23, xz01),
+             hn::ConcatLowerLower(Tag(), yw23, yw01),
+             hn::ConcatUpperUpper(Tag(), xz23, xz01)},
+            hn::ConcatUpperUpper(Tag(), yw23, yw01)};
+#else
+    // Rows 0 and 2, 1 and 3, 4 and 6, 5 and 7 side by side, so that two shuffles leave order.
+    const auto two = [&](Index low, Index high) {
+        const hn::Half<Tag> half;
+        return hn::Combine(Tag(), hn::Load(half, at(high)), hn::Load(half, at(low)));
+    };
+    const auto r02 = two(0, 2), r13 = two(1, 3), r46 = two(4, 6), r57 = two(5, 7);
+    const auto xz_low = hn::InterleaveLower(Tag(), r02, r13);
+    const auto xz_high = hn::InterleaveLower(Tag(), r46, r57);
+    const auto yw_low = hn::InterleaveUpper(Tag(), r02, r13);
+    const auto yw_high = hn::InterleaveUpper(Tag(), r46, r57);
+    constexpr int even_blocks = 0x88;
+    constexpr int odd_blocks = 0xDD;
+    const auto blocks = [](auto low, auto high, auto which) {
+        return Pack(hn::Vec<Tag>{_mm512_shuffle_f64x2(low.raw, high.raw, decltype(which)::value)});
+    };
+    using Even = std::integral_constant<int, even_blocks>;
+    using Odd = std::integral_constant<int, odd_blocks>;
+    return {{blocks(xz_low, xz_high, Even()),
+             blocks(yw_low, yw_high, Even()),
+             blocks(xz_low, xz_high, Odd())},
+            blocks(yw_low, yw_high, Odd())};
+#endif
+}
+
+/// Writes lane l as the packet {a, b, c, d} at packets + 4 l.
+inline void store_packets(const Vec3Of<Pack>& a, Pack d, double* packets) {
+    hn::StoreInterleaved4(a.x.v, a.y.v, a.z.v, d.v, Tag(), packets);
+}
 
 /// Elements of a column at positions that are whole numbers held in doubles.
 inline Pack look_up(const double* column, Pack position) {
     return hn::GatherIndex(Tag(), column, hn::ConvertTo(hn::RebindToSigned<Tag>(), position.v));
 }
 
-/// Writes lane l as the packet {a, b, c, 0} at packets + 4 l.
-inline void store_packets(const Vec3Of<Pack>& a, double* packets) {
-    hn::StoreInterleaved4(a.x.v, a.y.v, a.z.v, hn::Zero(Tag()), Tag(), packets);
-}
+/// One packet of four doubles, in as many vectors as it takes.
+class Packet {
+public:
+    explicit Packet(const double* from) {
+        each([&](std::size_t k) { part_[k] = hn::Load(Part(), from + k * lanes); });
+    }
+
+    explicit Packet(double x) {
+        each([&](std::size_t k) { part_[k] = hn::Set(Part(), x); });
+    }
+
+    void store(double* to) const {
+        each([&](std::size_t k) { hn::Store(part_[k], Part(), to + k * lanes); });
+    }
+
+    friend Packet operator+(const Packet& a, const Packet& b) {
+        return with(a, b, [](auto x, auto y) { return hn::Add(x, y); });
+    }
+
+    friend Packet operator-(const Packet& a, const Packet& b) {
+        return with(a, b, [](auto x, auto y) { return hn::Sub(x, y); });
+    }
+
+    friend Packet operator*(const Packet& a, const Packet& b) {
+        return with(a, b, [](auto x, auto y) { return hn::Mul(x, y); });
+    }
+
+    /// Larger by one comparison; b where a is not a number.
+    friend Packet larger(const Packet& a, const Packet& b) {
+        return with(a, b, [](auto x, auto y) { return hn::IfThenElse(hn::Lt(y, x), x, y); });
+    }
+
+    friend Packet absolute(const Packet& a) {
+        return with(a, a, [](auto x, auto) { return hn::Abs(x); });
+    }
+
+    /// The fourth component in all four places.
+    Packet fourth() const {
+#if HWY_TARGET == HWY_SCALAR
+        return with(*this, *this, [&](auto, auto) { return part_[3]; });
+#elif HWY_MAX_BYTES == 16
+        const auto w = hn::InterleaveUpper(Part(), part_[1], part_[1]);
+        return with(*this, *this, [&](auto, auto) { return w; });
+#else
+        Packet result = *this;
+        result.part_[0] = hn::Vec<Part>{_mm256_permute4x64_pd(part_[0].raw, 0xFF)};
+        return result;
+#endif
+    }
+
+    /// The first three components, and `w` as the fourth.
+    friend Packet with_fourth(const Packet& xyz, const Packet& w) {
+        Packet result = xyz;
+#if HWY_TARGET == HWY_SCALAR
+        result.part_[3] = w.part_[3];
+#elif HWY_MAX_BYTES == 16
+        result.part_[1] = hn::OddEven(w.part_[1], xyz.part_[1]);
+#else
+        result.part_[0] = hn::Vec<Part>{_mm256_blend_pd(xyz.part_[0].raw, w.part_[0].raw, 8)};
+#endif
+        return result;
+    }
+
+private:
+    using Part = hn::CappedTag<double, 4>;
+    static constexpr std::size_t lanes = hn::MaxLanes(Part());
+
+    template <class Act>
+    static void each(const Act& act) {
+        for (std::size_t k = 0; k < 4 / lanes; ++k) {
+            act(k);
+        }
+    }
+
+    template <class Act>
+    static Packet with(const Packet& a, const Packet& b, const Act& act) {
+        Packet result = a;
+        each([&](std::size_t k) { result.part_[k] = act(a.part_[k], b.part_[k]); });
+        return result;
+    }
+
+    hn::Vec<Part> part_[4 / lanes];
+};
 
 }  // namespace grainbench::GRAINBENCH_ISA

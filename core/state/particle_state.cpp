@@ -32,7 +32,8 @@ std::vector<double> plain(const Column<double>& column) {
     return {column.begin(), column.end()};
 }
 
-void restore(Column<double>& column, const std::vector<double>& from) {
+template <class T>
+void restore(Column<T>& column, const std::vector<T>& from) {
     if (column.size() != from.size()) {
         throw_bad_input({.what = "the checkpoint holds another number of particles",
                          .where = "checkpoint",
@@ -46,11 +47,11 @@ void restore(Column<double>& column, const std::vector<double>& from) {
 
 ParticleState::ParticleState(std::span<const Sphere> spheres, std::span<const double> density)
     : size_(static_cast<Index>(spheres.size())) {
-    const std::size_t padded = (4 * spheres.size() + 7) / 8 * 8;
-    for (Column<double>* column :
-         {&position_, &velocity_, &spin_, &force_, &torque_, &inverse_mass_, &inverse_inertia_}) {
-        column->assign(padded, 0.0);
+    const std::size_t padded = (spheres.size() + 7) / 8 * 8;
+    for (Column<double>* column : {&position_, &velocity_, &spin_, &force_, &torque_}) {
+        column->assign(4 * padded, 0.0);
     }
+    loaded_.assign(padded, 0);
     mass_.resize(size_);
     species_.resize(size_);
     id_.resize(size_);
@@ -70,9 +71,7 @@ ParticleState::ParticleState(std::span<const Sphere> spheres, std::span<const do
         put_packet(position_, slot, s.position, s.radius);
         put_packet(velocity_, slot, s.velocity, 1.0 / mass);
         put_packet(spin_, slot, s.angular_velocity, static_cast<double>(s.species));
-        put_packet(inverse_mass_, slot, {1.0 / mass, 1.0 / mass, 1.0 / mass}, 0.0);
-        put_packet(
-            inverse_inertia_, slot, {inverse_inertia, inverse_inertia, inverse_inertia}, 0.0);
+        put_packet(torque_, slot, {}, inverse_inertia);
         mass_[slot] = mass;
         species_[slot] = s.species;
         id_[slot] = static_cast<std::int64_t>(origin) + 1;
@@ -86,9 +85,9 @@ ParticleView ParticleState::view() {
             spin_.data(),
             force_.data(),
             torque_.data(),
-            inverse_mass_.data(),
-            inverse_inertia_.data(),
-            position_.size()};
+            loaded_.data(),
+            size_,
+            loaded_.size()};
 }
 
 void ParticleState::scale_inertia(Index slot, double factor) {
@@ -103,20 +102,20 @@ void ParticleState::scale_inertia(Index slot, double factor) {
         w[c] *= ratio;
     }
     v[3] = inverse;
-    put_packet(inverse_mass_, slot, {inverse, inverse, inverse}, 0.0);
-    const double turn = inverse / (0.4 * r * r);
-    put_packet(inverse_inertia_, slot, {turn, turn, turn}, 0.0);
+    torque_[4 * std::size_t{slot} + 3] = inverse / (0.4 * r * r);
 }
 
 void ParticleState::load_weight(const Vec3& gravity) {
     for (Index slot = 0; slot < size_; ++slot) {
         put_packet(force_, slot, mass_[slot] * gravity, 0.0);
+        loaded_[slot] = 1;
     }
 }
 
 void ParticleState::add_weight(const Vec3& gravity) {
     for (Index slot = 0; slot < size_; ++slot) {
         put_packet(force_, slot, force(slot) + mass_[slot] * gravity, 0.0);
+        loaded_[slot] = 1;
     }
 }
 
@@ -126,8 +125,7 @@ void ParticleState::save(Archive& archive) const {
     archive.put("particles/spin", plain(spin_));
     archive.put("particles/force", plain(force_));
     archive.put("particles/torque", plain(torque_));
-    archive.put("particles/inverse_mass", plain(inverse_mass_));
-    archive.put("particles/inverse_inertia", plain(inverse_inertia_));
+    archive.put("particles/loaded", std::vector<std::uint8_t>(loaded_.begin(), loaded_.end()));
 }
 
 void ParticleState::load(const Archive& archive) {
@@ -136,8 +134,7 @@ void ParticleState::load(const Archive& archive) {
     restore(spin_, archive.get<double>("particles/spin"));
     restore(force_, archive.get<double>("particles/force"));
     restore(torque_, archive.get<double>("particles/torque"));
-    restore(inverse_mass_, archive.get<double>("particles/inverse_mass"));
-    restore(inverse_inertia_, archive.get<double>("particles/inverse_inertia"));
+    restore(loaded_, archive.get<std::uint8_t>("particles/loaded"));
 }
 
 }  // namespace grainbench

@@ -26,7 +26,7 @@ public:
 
     Vec3 position(Index slot) const { return vector(position_, slot); }
 
-    double radius(Index slot) const { return position_[4 * slot + 3]; }
+    double radius(Index slot) const { return position_[4 * std::size_t{slot} + 3]; }
 
     /// At the half step that the last cycle used [m/s].
     Vec3 velocity(Index slot) const { return vector(velocity_, slot); }
@@ -38,9 +38,9 @@ public:
 
     Vec3 torque(Index slot) const { return vector(torque_, slot); }
 
-    double inverse_mass(Index slot) const { return inverse_mass_[4 * slot]; }
+    double inverse_mass(Index slot) const { return velocity_[4 * std::size_t{slot} + 3]; }
 
-    double inverse_inertia(Index slot) const { return inverse_inertia_[4 * slot]; }
+    double inverse_inertia(Index slot) const { return torque_[4 * std::size_t{slot} + 3]; }
 
     Index species(Index slot) const { return species_[slot]; }
 
@@ -80,7 +80,7 @@ private:
     double smallest_radius_ = 0.0;
     double largest_radius_ = 0.0;
     Column<double> position_, velocity_, spin_, force_, torque_;
-    Column<double> inverse_mass_, inverse_inertia_;
+    Column<std::uint8_t> loaded_;
     std::vector<double> mass_;
     std::vector<Index> species_;
     std::vector<std::int64_t> id_;

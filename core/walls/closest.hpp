@@ -30,6 +30,7 @@ struct Triangle {
     std::array<Vec3, 3> inward;                 ///< [1] in the plane, at right angles to side k
     std::array<double, 3> inverse_square_side;  ///< [1/m^2]
     Vec3 normal;                                ///< [1] right-handed
+    double offset;                              ///< [m] of the plane: normal . corner
     std::array<Index, 3> vertex;                ///< numbers within the wall
     std::array<Index, 3> edge;                  ///< edge k lies on side k
 };
@@ -37,7 +38,8 @@ struct Triangle {
 /// Flat round plate (finite radius) or plane (infinite radius). The rim is an edge.
 struct Plate {
     Vec3 centre;
-    Vec3 normal;  ///< [1]
+    Vec3 normal;    ///< [1]
+    double offset;  ///< [m] of the plane: normal . centre
     double radius;
     Index rim;
 };
@@ -130,7 +132,8 @@ inline bool closest_on_sides(const Triangle& t,
 inline bool closest_within(const Triangle& t, const Vec3& centre, double reach, Closest& out) {
     const std::array<Vec3, 3> from{
         centre - t.corner[0], centre - t.corner[1], centre - t.corner[2]};
-    const double height = dot(t.normal, from[0]);
+    // As core/kernels/search_pass.hpp has it, so that both give the same bits.
+    const double height = dot(t.normal, centre) - t.offset;
     if (std::abs(height) > reach) {
         return false;
     }
@@ -152,7 +155,7 @@ inline bool closest_within(const Triangle& t, const Vec3& centre, double reach, 
 
 inline bool closest_within(const Plate& plate, const Vec3& centre, double reach, Closest& out) {
     const Vec3 from = centre - plate.centre;
-    const double height = dot(plate.normal, from);
+    const double height = dot(plate.normal, centre) - plate.offset;
     if (std::abs(height) > reach) {
         return false;
     }

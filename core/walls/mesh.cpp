@@ -52,6 +52,7 @@ bool set_geometry(Triangle& t) {
         return false;
     }
     t.normal = normalized(area);
+    t.offset = dot(t.normal, t.corner[0]);
     for (std::size_t k = 0; k < 3; ++k) {
         t.inward[k] = normalized(cross(t.normal, t.side[k]));
     }

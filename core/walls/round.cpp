@@ -12,6 +12,10 @@ namespace grainbench {
 
 namespace {
 
+Plate make_plate(const Vec3& centre, const Vec3& normal, double radius, Index rim) {
+    return {centre, normal, dot(normal, centre), radius, rim};
+}
+
 constexpr Index base_rim = 0;
 constexpr Index top_rim = 1;
 
@@ -49,11 +53,12 @@ double circle_extent(const Vec3& centre, const Vec3& axis, double radius, const 
 }  // namespace
 
 std::vector<RoundPatch> round_patches(const Plane& plane) {
-    return {Plate{plane.point, plane.normal, std::numeric_limits<double>::infinity(), no_feature}};
+    return {
+        make_plate(plane.point, plane.normal, std::numeric_limits<double>::infinity(), no_feature)};
 }
 
 std::vector<RoundPatch> round_patches(const Disc& disc) {
-    return {Plate{disc.centre, disc.normal, disc.radius, base_rim}};
+    return {make_plate(disc.centre, disc.normal, disc.radius, base_rim)};
 }
 
 std::vector<RoundPatch> round_patches(const Cylinder& c) {
@@ -63,10 +68,10 @@ std::vector<RoundPatch> round_patches(const Cylinder& c) {
             Shell{c.base, c.axis, frame_about(c.axis).u, c.radius, c.height, {base_rim, top_rim}});
     }
     if (has_base(c.part)) {
-        patches.emplace_back(Plate{c.base, -c.axis, c.radius, base_rim});
+        patches.emplace_back(make_plate(c.base, -c.axis, c.radius, base_rim));
     }
     if (has_top(c.part)) {
-        patches.emplace_back(Plate{c.base + c.height * c.axis, c.axis, c.radius, top_rim});
+        patches.emplace_back(make_plate(c.base + c.height * c.axis, c.axis, c.radius, top_rim));
     }
     return patches;
 }

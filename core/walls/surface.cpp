@@ -2,6 +2,7 @@
 
 #include "core/describe.hpp"
 #include "core/error.hpp"
+#include "core/state/aligned.hpp"
 #include "core/walls/closest.hpp"
 #include "core/walls/faceted.hpp"
 #include "core/walls/mesh.hpp"
@@ -106,7 +107,7 @@ struct Surface::Impl {
     std::vector<RoundPatch> round;  // or this has patches
     TriangleMesh complete_mesh;     // with the faces that an open cylinder lacks, if it does
     std::optional<Cylinder> cylinder;
-    std::vector<double> planes;
+    Column<double> planes;
     WallSurface outline;
 
     Impl() = default;
@@ -114,11 +115,18 @@ struct Surface::Impl {
     Impl(const WallShape& shape, std::string name) : where(std::move(name)) {
         std::visit([&](const auto& s) { build(s); }, shape);
         for (const Triangle& t : mesh.triangles()) {
-            add_plane(t.normal, t.corner[0]);
+            add_plane(t.normal, t.offset);
+            for (std::size_t k = 0; k < 3; ++k) {
+                add_plane(t.inward[k], dot(t.inward[k], t.corner[k]));
+            }
         }
         for (const RoundPatch& patch : round) {
             const auto* plate = std::get_if<Plate>(&patch);
-            plate ? add_plane(plate->normal, plate->centre) : add_plane({}, {});
+            plate ? add_plane(plate->normal, plate->offset) : add_plane({}, 0.0);
+            const bool endless = plate != nullptr && std::isinf(plate->radius);
+            for (int k = 0; k < 3; ++k) {
+                add_plane({}, endless ? -1.0 : 0.0);
+            }
         }
     }
 
@@ -157,8 +165,8 @@ struct Surface::Impl {
         outline = round_outline(shape);
     }
 
-    void add_plane(const Vec3& normal, const Vec3& point) {
-        planes.insert(planes.end(), {normal.x, normal.y, normal.z, dot(normal, point)});
+    void add_plane(const Vec3& normal, double offset) {
+        planes.insert(planes.end(), {normal.x, normal.y, normal.z, offset});
     }
 
     const TriangleMesh& enclosure() const {
@@ -175,7 +183,7 @@ std::size_t Surface::patch_count() const {
     return impl_->mesh.triangles().size() + impl_->round.size();
 }
 
-std::span<const double> Surface::bounding_planes() const {
+std::span<const double> Surface::planes() const {
     return impl_->planes;
 }
 

@@ -46,9 +46,12 @@ public:
 
     std::size_t patch_count() const;
 
-    /// Flat 4 doubles per patch {n_x, n_y, n_z, d}: |n . c - d| never exceeds the distance from c
-    /// to the patch. All zero where no such plane exists (cylinder sides).
-    std::span<const double> bounding_planes() const;
+    /// Four packets per patch {n_x, n_y, n_z, d}. The first is a plane: |n . c - d| never exceeds
+    /// the distance from c to the patch. Where n . c > d for the three others too, by more than
+    /// rounding, the closest point of a triangle or plane lies in the face; where n . c < d by more
+    /// than a distance for any of them, the patch is farther than that. All zero where no such
+    /// planes exist (cylinder sides): that says nothing.
+    std::span<const double> planes() const;
 
     /// Appends, ascending, the patches whose distance from `centre` is at most `reach`.
     void collect(const Vec3& centre, double reach, std::vector<Index>& patches) const;

@@ -54,7 +54,11 @@ Vec3 WallBody::to_wall(const Vec3& point) const {
     if (!turned_) {
         return arm;
     }
-    return plain(Eigen::Map<const RowMatrix>(rotation_).transpose() * eigen(arm));
+    // As core/kernels/search_pass.hpp has it, so that both give the same bits.
+    const double* r = rotation_;
+    return {dot(Vec3{r[0], r[3], r[6]}, arm),
+            dot(Vec3{r[1], r[4], r[7]}, arm),
+            dot(Vec3{r[2], r[5], r[8]}, arm)};
 }
 
 Vec3 WallBody::direction_to_space(const Vec3& direction) const {

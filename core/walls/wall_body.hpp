@@ -36,6 +36,9 @@ public:
         return velocity_.linear + cross(velocity_.angular, point - motion_.centre());
     }
 
+    /// Fixed point of a rotation [m].
+    const Vec3& rotation_centre() const { return motion_.centre(); }
+
     /// Position of the wall's origin [m].
     const Vec3& displacement() const { return displacement_; }
 

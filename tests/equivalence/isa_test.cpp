@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <algorithm>
+#include <array>
+#include <numeric>
 
 namespace grainbench::test {
 namespace {
@@ -47,13 +49,23 @@ void for_each_set(Check&& check) {
     }
 }
 
-Bytes moved(const Kernels& kernels, Index count, std::uint64_t seed) {
-    RandomParticles p(count, seed);
+/// After a move of particles of which every third is loaded.
+/// \param few whether the pass is told so
+Bytes moved(const Kernels& kernels, Index count, bool few) {
+    RandomParticles p(count, count);
+    for (Index n = 0; n < count; ++n) {
+        if (n % 3 != 0) {
+            std::fill_n(&p.force[4 * std::size_t{n}], 3, 0.0);
+            std::fill_n(&p.torque[4 * std::size_t{n}], 3, 0.0);
+            p.loaded[n] = 0;
+        }
+    }
     MotionPass pass{.particles = p.view(),
-                    .gravity = {0.1, -0.3, -9.8, 0.0, 0.1, -0.3, -9.8, 0.0},
-                    .frame = {0.5, -0.2, 0.7, 0.0, 0.5, -0.2, 0.7, 0.0},
+                    .gravity = {0.1, -0.3, -9.8, 0.0},
+                    .frame = {0.5, -0.2, 0.7, 0.0},
                     .kick = 1.1e-5,
                     .drift = 1.3e-5,
+                    .few_are_loaded = few,
                     .fastest = {},
                     .velocity_sum = {}};
     kernels.move(pass);
@@ -63,89 +75,164 @@ Bytes moved(const Kernels& kernels, Index count, std::uint64_t seed) {
         .add(p.spin)
         .add(p.force)
         .add(p.torque)
-        .add(pass.fastest, 4)
-        .add(pass.velocity_sum, 4);
+        .add(p.loaded)
+        .add(pass.fastest, 3)
+        .add(pass.velocity_sum, 3);
 }
 
 TEST(InstructionSets, MoveAlike) {
     for_each_set([](std::string_view isa, const Kernels& kernels) {
-        for (Index n = 2; n <= most_contacts; ++n) {
-            EXPECT_TRUE(moved(kernels, n, n) == moved(kernels_for("scalar"), n, n))
-                << isa << " " << n;
+        for (Index n = 1; n <= most_contacts; ++n) {
+            for (const bool few : {false, true}) {
+                EXPECT_TRUE(moved(kernels, n, few) == moved(kernels_for("scalar"), n, few))
+                    << isa << " " << n;
+            }
         }
     });
+}
+
+/// Looking for the loaded particles first, or at all of them, is a matter of speed alone.
+TEST(InstructionSets, MoveFewLoadedParticlesAsAll) {
+    for (Index n = 1; n <= most_contacts; ++n) {
+        EXPECT_TRUE(moved(kernels_for(""), n, true) == moved(kernels_for(""), n, false)) << n;
+    }
+}
+
+double travel(const Kernels& kernels, Index count, bool by_radius) {
+    const RandomParticles then(count, count);
+    const RandomParticles now(count, count + 1);
+    TravelPass pass{.position = now.position.data(),
+                    .reference = then.position.data(),
+                    .padded_count = now.loaded.size(),
+                    .frame = {0.001, -0.002, 0.0005},
+                    .smallest_radius = 0.003,
+                    .by_radius = by_radius,
+                    .largest_square = 0.0};
+    kernels.measure_travel(pass);
+    return pass.largest_square;
+}
+
+TEST(InstructionSets, MeasureTheSameTravel) {
+    for_each_set([](std::string_view isa, const Kernels& kernels) {
+        for (Index n = 2; n <= most_contacts; ++n) {
+            for (const bool by_radius : {false, true}) {
+                EXPECT_EQ(travel(kernels, n, by_radius),
+                          travel(kernels_for("scalar"), n, by_radius))
+                    << isa << " " << n;
+            }
+        }
+    });
+    EXPECT_GT(travel(kernels_for("scalar"), 17, false), 0.0);
+}
+
+PairQuery random_query(const RandomParticles& p, const RandomPairs& pairs, Index count) {
+    return {.position = p.position.data(),
+            .i = pairs.i.data(),
+            .j = pairs.j.data(),
+            .count = count,
+            .scale = 0.4,
+            .extra = 0.001};
 }
 
 std::vector<Index> pairs_found(const Kernels& kernels, Index count, std::uint64_t seed) {
     const RandomParticles p(particle_count, seed);
     const RandomPairs pairs(particle_count, 0, seed);
     std::vector<Index> found(count + 8);
-    found.resize(kernels.find_pairs({.position = p.position.data(),
-                                     .i = pairs.i.data(),
-                                     .j = pairs.j.data(),
-                                     .count = count,
-                                     .scale = 0.4,
-                                     .extra = 0.001,
-                                     .found = found.data()}));
+    found.resize(kernels.find_pairs(random_query(p, pairs, count), found.data()));
+    return found;
+}
+
+/// The same as places, from one bit per pair.
+std::vector<Index> pairs_tested(const Kernels& kernels, Index count, std::uint64_t seed) {
+    const RandomParticles p(particle_count, seed);
+    const RandomPairs pairs(particle_count, 0, seed);
+    std::vector<std::uint64_t> within((count + 63) / 64);
+    kernels.test_pairs(random_query(p, pairs, count), within.data());
+    std::vector<Index> found;
+    for (Index k = 0; k < 64 * within.size(); ++k) {
+        if ((within[k / 64] >> (k % 64) & 1) != 0) {
+            found.push_back(k);
+        }
+    }
     return found;
 }
 
 TEST(InstructionSets, FindTheSamePairs) {
     for_each_set([](std::string_view isa, const Kernels& kernels) {
         for (Index n = 0; n <= most_contacts; ++n) {
-            EXPECT_EQ(pairs_found(kernels, n, n), pairs_found(kernels_for("scalar"), n, n))
-                << isa << " " << n;
+            const auto expected = pairs_found(kernels_for("scalar"), n, n);
+            EXPECT_EQ(pairs_found(kernels, n, n), expected) << isa << " " << n;
+            EXPECT_EQ(pairs_tested(kernels, n, n), expected) << isa << " " << n;
         }
     });
     const auto found = pairs_found(kernels_for("scalar"), most_contacts, most_contacts);
+    EXPECT_EQ(pairs_tested(kernels_for("scalar"), most_contacts, most_contacts), found);
     EXPECT_GT(found.size(), 5U);
     EXPECT_LT(found.size(), most_contacts - 5U);
 }
 
-std::vector<Index> patches_found(const Kernels& kernels, Index count, bool rotated) {
+struct PatchBits {
+    std::uint64_t face, doubt;
+    std::vector<double> height;
+
+    friend bool operator==(const PatchBits&, const PatchBits&) = default;
+};
+
+PatchBits patches_tested(const Kernels& kernels, Index count, bool rotated) {
     const RandomParticles p(particle_count, count);
     std::mt19937_64 random(count);
     Column<double> planes;
-    for (int patch = 0; patch < 5; ++patch) {
+    for (int plane = 0; plane < 4 * 5; ++plane) {
         const Vec3 normal = normalized(
             {between(random, -1.0, 1.0), between(random, -1.0, 1.0), between(random, -1.0, 1.0)});
-        planes.insert(planes.end(), {normal.x, normal.y, normal.z, between(random, -0.01, 0.01)});
+        // The first of four is the plane of the patch, the others bound it.
+        const double offset = between(random, -0.01, plane % 4 == 0 ? 0.01 : -0.002);
+        planes.insert(planes.end(), {normal.x, normal.y, normal.z, offset});
     }
-    Column<Index> particle(count + 16, 0);
-    Column<Index> patch(count + 16, 0);
+    Column<Index> particle(64, 0);
+    Column<Index> patch(64, 0);
     for (Index k = 0; k < count; ++k) {
         particle[k] = static_cast<Index>(random() % particle_count);
         patch[k] = static_cast<Index>(random() % 5);
     }
-    std::vector<Index> found(count + 8);
-    found.resize(kernels.find_patches({.position = p.position.data(),
-                                       .planes = planes.data(),
-                                       .particle = particle.data(),
-                                       .patch = patch.data(),
-                                       .count = count,
-                                       .shift = {0.001, -0.0002, 0.0005},
-                                       .rotation = {0.6, 0.8, 0.0, -0.8, 0.6, 0.0, 0.0, 0.0, 1.0},
-                                       .centre = {0.01, 0.0, -0.02},
-                                       .rotated = rotated,
-                                       .scale = 1.0,
-                                       .extra = 0.0,
-                                       .found = found.data()}));
-    return found;
+    PatchBits bits{0, 0, std::vector<double>(64)};
+    kernels.test_patches({.position = p.position.data(),
+                          .planes = planes.data(),
+                          .particle = particle.data(),
+                          .patch = patch.data(),
+                          .count = count,
+                          .shift = {0.001, -0.0002, 0.0005},
+                          .rotation = {0.6, 0.8, 0.0, -0.8, 0.6, 0.0, 0.0, 0.0, 1.0},
+                          .rotated = rotated,
+                          .scale = 1.0,
+                          .extra = 0.0},
+                         {&bits.face, &bits.doubt, bits.height.data()});
+    return bits;
 }
 
-TEST(InstructionSets, FindTheSamePatches) {
+TEST(InstructionSets, TestPatchesAlike) {
     for_each_set([](std::string_view isa, const Kernels& kernels) {
-        for (Index n = 0; n <= most_contacts; ++n) {
+        for (Index n = 1; n <= most_contacts; ++n) {
             for (const bool rotated : {false, true}) {
-                EXPECT_EQ(patches_found(kernels, n, rotated),
-                          patches_found(kernels_for("scalar"), n, rotated))
+                EXPECT_TRUE(patches_tested(kernels, n, rotated) ==
+                            patches_tested(kernels_for("scalar"), n, rotated))
                     << isa << " " << n << (rotated ? " rotated" : "");
             }
         }
     });
-    const auto found = patches_found(kernels_for("scalar"), most_contacts, false);
-    EXPECT_GT(found.size(), 5U);
-    EXPECT_LT(found.size(), most_contacts - 5U);
+    const PatchBits bits = patches_tested(kernels_for("scalar"), most_contacts, false);
+    EXPECT_GT(__builtin_popcountll(bits.face), 1);
+    EXPECT_GT(__builtin_popcountll(bits.doubt), 1);
+    EXPECT_EQ(bits.face & bits.doubt, 0U);
+}
+
+/// Rows of history, random where contacts act and zero where they are new.
+Column<double> random_rows(std::size_t count, Index packets, std::mt19937_64& random) {
+    Column<double> rows(count * packets * 4);
+    for (double& h : rows) {
+        h = between(random, -3.0, 10.0);
+    }
+    return rows;
 }
 
 Bytes pair_forces(const Kernels& kernels, std::size_t combination, bool records, Index touching) {
@@ -153,26 +240,20 @@ Bytes pair_forces(const Kernels& kernels, std::size_t combination, bool records,
     RandomParticles p(particle_count, seed);
     RandomPairs pairs(particle_count, touching, seed);
     const ContactTable table = random_table(combination, seed);
-    const std::size_t stride = pairs.i.size();
     std::mt19937_64 random(seed);
-    Column<double> history(stride * static_cast<std::size_t>(table.history_size()));
-    for (double& h : history) {
-        h = between(random, -3.0, 10.0);
-    }
+    Column<double> rows =
+        random_rows(pairs.i.size(), history_packets(table.history_size()), random);
     Column<double> record(static_cast<std::size_t>(touching) * record_size);
     kernels.pair_pass(combination,
-                      records,
                       {.particles = p.view(),
                        .laws = table.view(1.7e-5),
                        .i = pairs.i.data(),
                        .j = pairs.j.data(),
                        .touching = pairs.touching.data(),
                        .touching_count = touching,
-                       .active = pairs.active.data(),
-                       .history = history.data(),
-                       .history_stride = stride,
-                       .records = record.data()});
-    return Bytes().add(p.force).add(p.torque).add(pairs.active).add(history).add(record);
+                       .rows = rows.data(),
+                       .records = records ? record.data() : nullptr});
+    return Bytes().add(p.force).add(p.torque).add(p.loaded).add(rows).add(record);
 }
 
 TEST(InstructionSets, GiveTheSameForcesBetweenParticles) {
@@ -194,49 +275,34 @@ Bytes wall_forces(const Kernels& kernels, std::size_t combination, bool records,
     RandomParticles p(particle_count, seed);
     const ContactTable table = random_table(combination, seed);
     std::mt19937_64 random(seed);
-    const std::size_t stride = count + 5;
-    const auto column = [&](std::size_t width, double low, double high) {
-        Column<double> values(stride * width);
-        for (double& value : values) {
-            value = between(random, low, high);
-        }
-        return values;
-    };
+    const Index packets = history_packets(table.history_size()) + 1;
+    Column<double> rows = random_rows(count, packets, random);
     std::vector<Index> particle(count);
-    Column<double> normal = column(3, -1.0, 1.0);
-    Column<double> entered = column(1, 0.0, 1.0);
+    std::vector<TouchingContact> touching;
     for (Index t = 0; t < count; ++t) {
         particle[t] = t * particle_count / (count + 1);  // ascending, some with several contacts
-        const Vec3 n = normalized({normal[t], normal[stride + t], normal[2 * stride + t]});
-        normal[t] = n.x;
-        normal[stride + t] = n.y;
-        normal[2 * stride + t] = n.z;
-        entered[t] = entered[t] < 0.5 ? 0.0 : 1.0;
+        const Vec3 n = normalized(
+            {between(random, -1.0, 1.0), between(random, -1.0, 1.0), between(random, -1.0, 1.0)});
+        const double geometry[4] = {n.x, n.y, n.z, between(random, 0.0025, 0.0055)};
+        std::copy_n(geometry, 4, &rows[4 * (std::size_t{packets} * t + packets - 1)]);
+        touching.emplace_back(t, random() % 2 == 0);
     }
-    const Column<double> distance = column(1, 0.0025, 0.0055);
-    const Column<double> velocity = column(3, -1.0, 1.0);
-    const Column<double> spin = column(1, -10.0, 10.0);
-    Column<double> history = column(static_cast<std::size_t>(table.history_size()), -3.0, 10.0);
-    Column<double> force(3 * stride, 0.0);
+    Column<double> force(4 * std::size_t{count}, 0.0);
     Column<double> record(static_cast<std::size_t>(count) * record_size);
     kernels.wall_pass(combination,
-                      records,
                       {.particles = p.view(),
                        .laws = table.view(1.7e-5),
-                       .count = count,
-                       .stride = stride,
                        .particle = particle.data(),
-                       .normal = normal.data(),
-                       .distance = distance.data(),
-                       .wall_velocity = velocity.data(),
-                       .wall_spin = spin.data(),
-                       .entered = entered.data(),
+                       .touching = touching.data(),
+                       .touching_count = count,
+                       .velocity = {0.3, -0.7, 0.2},
+                       .spin = {1.0, -3.0, 2.0},
+                       .centre = {0.01, -0.02, 0.03},
                        .material = 2.0,
-                       .history_in = history.data(),
-                       .history_out = history.data(),
+                       .rows = rows.data(),
                        .force = force.data(),
-                       .records = record.data()});
-    return Bytes().add(p.force).add(p.torque).add(history).add(force).add(record);
+                       .records = records ? record.data() : nullptr});
+    return Bytes().add(p.force).add(p.torque).add(p.loaded).add(rows).add(force).add(record);
 }
 
 TEST(InstructionSets, GiveTheSameForcesOnWalls) {
@@ -246,6 +312,59 @@ TEST(InstructionSets, GiveTheSameForcesOnWalls) {
                 for (Index n = 1; n <= most_contacts; ++n) {
                     EXPECT_TRUE(wall_forces(kernels, c, records, n) ==
                                 wall_forces(kernels_for("scalar"), c, records, n))
+                        << isa << ", laws " << c << ", " << n << " contacts";
+                }
+            }
+        }
+    });
+}
+
+Bytes step_sums(const Kernels& kernels, std::size_t combination, Index count, bool rotation_rules) {
+    const std::uint64_t seed = 100 * combination + count;
+    RandomParticles p(particle_count, seed);
+    RandomPairs pairs(particle_count, 0, seed);
+    const ContactTable table = random_table(combination, seed);
+    Column<double> shear(p.position.size(), 0.0);
+    Column<double> normal(p.position.size(), 0.0);
+    const StepSums sums{shear.data(), rotation_rules ? nullptr : normal.data()};
+    std::vector<Index> place(count);
+    std::iota(place.begin(), place.end(), Index{3});
+    kernels.add_pair_steps(combination,
+                           {.particles = p.view(),
+                            .laws = table.view(0.0),
+                            .i = pairs.i.data(),
+                            .j = pairs.j.data(),
+                            .place = place.data(),
+                            .count = count,
+                            .sums = sums});
+    std::mt19937_64 random(seed);
+    std::vector<Index> particle;
+    Column<double> geometry;
+    for (Index t = 0; t < count; ++t) {
+        particle.push_back(static_cast<Index>(random() % particle_count));
+        const Vec3 n = normalized({between(random, -1.0, 1.0), between(random, -1.0, 1.0), 0.5});
+        geometry.insert(geometry.end(), {n.x, n.y, n.z, 0.003});
+    }
+    kernels.add_wall_steps(combination,
+                           {.particles = p.view(),
+                            .laws = table.view(0.0),
+                            .particle = particle.data(),
+                            .geometry = geometry.data(),
+                            .count = count,
+                            .material = 2.0,
+                            .sums = sums});
+    const double largest = kernels.largest_step_ratio(p.view(), sums);
+    EXPECT_GT(largest, 0.0);
+    return Bytes().add(shear).add(normal).add(&largest, 1);
+}
+
+TEST(InstructionSets, GiveTheSameSumsForTheStableStep) {
+    for_each_set([](std::string_view isa, const Kernels& kernels) {
+        for (std::size_t c = 0; c < combination_count(); ++c) {
+            for (const Index n : {1U, 7U, 8U, 9U, 33U}) {
+                for (const bool rules : {false, true}) {
+                    EXPECT_TRUE(step_sums(kernels, c, n, rules) ==
+                                step_sums(kernels_for("scalar"), c, n, rules))
                         << isa << ", laws " << c << ", " << n << " contacts";
                 }
             }

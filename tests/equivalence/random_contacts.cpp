@@ -36,11 +36,11 @@ double between(std::mt19937_64& random, double low, double high) {
 
 RandomParticles::RandomParticles(Index particle_count, std::uint64_t seed) : count(particle_count) {
     std::mt19937_64 random(seed);
-    const std::size_t padded = (4 * static_cast<std::size_t>(count) + 7) / 8 * 8;
-    for (Column<double>* column :
-         {&position, &velocity, &spin, &force, &torque, &inverse_mass, &inverse_inertia}) {
-        column->assign(padded, 0.0);
+    const std::size_t padded = (static_cast<std::size_t>(count) + 7) / 8 * 8;
+    for (Column<double>* column : {&position, &velocity, &spin, &force, &torque}) {
+        column->assign(4 * padded, 0.0);
     }
+    loaded.assign(padded, 0);
     for (std::size_t k = 0; k < 4 * static_cast<std::size_t>(count); k += 4) {
         for (std::size_t c = 0; c < 3; ++c) {
             position[k + c] = between(random, -0.004, 0.004);
@@ -53,9 +53,8 @@ RandomParticles::RandomParticles(Index particle_count, std::uint64_t seed) : cou
         const double inverse = 1.0 / (6e3 * position[k + 3] * position[k + 3] * position[k + 3]);
         velocity[k + 3] = inverse;
         spin[k + 3] = static_cast<double>(random() % 2);
-        const double turn = inverse / (0.4 * position[k + 3] * position[k + 3]);
-        std::fill_n(&inverse_mass[k], 3, inverse);
-        std::fill_n(&inverse_inertia[k], 3, turn);
+        torque[k + 3] = inverse / (0.4 * position[k + 3] * position[k + 3]);
+        loaded[k / 4] = 1;
     }
     std::copy_n(&position[0], 3, &position[4]);
 }
@@ -66,9 +65,9 @@ ParticleView RandomParticles::view() {
             spin.data(),
             force.data(),
             torque.data(),
-            inverse_mass.data(),
-            inverse_inertia.data(),
-            position.size()};
+            loaded.data(),
+            count,
+            loaded.size()};
 }
 
 RandomPairs::RandomPairs(Index particle_count, Index touching_count, std::uint64_t seed) {
@@ -77,18 +76,15 @@ RandomPairs::RandomPairs(Index particle_count, Index touching_count, std::uint64
         for (Index b = a + 1; b < particle_count; ++b) {
             i.push_back(a);
             j.push_back(b);
-            touching.push_back(count++);
-            active.push_back(static_cast<std::uint8_t>(random() % 2));
+            touching.emplace_back(count++, random() % 2 == 0);
         }
     }
     while (touching.size() > touching_count) {
         touching.erase(touching.begin() + static_cast<std::ptrdiff_t>(random() % touching.size()));
     }
-    const std::size_t padded = (count + 7) / 8 * 8 + 8;
+    const std::size_t padded = (count + 63) / 64 * 64;
     i.resize(padded, 0);
     j.resize(padded, 0);
-    touching.resize(padded, 0);
-    active.resize(padded, 0);
 }
 
 ContactTable random_table(std::size_t combination, std::uint64_t seed) {

@@ -19,7 +19,8 @@ struct RandomParticles {
     ParticleView view();
 
     Index count = 0;
-    Column<double> position, velocity, spin, force, torque, inverse_mass, inverse_inertia;
+    Column<double> position, velocity, spin, force, torque;
+    Column<std::uint8_t> loaded;
 };
 
 /// Pairs (i, j) in lexicographic order, padded as lists of the engine are; `touching` names some of
@@ -28,8 +29,8 @@ struct RandomPairs {
     RandomPairs(Index particle_count, Index touching_count, std::uint64_t seed);
 
     Index count = 0;
-    Column<Index> i, j, touching;
-    std::vector<std::uint8_t> active;
+    Column<Index> i, j;
+    std::vector<TouchingContact> touching;
 };
 
 /// Uniform in [low, high).

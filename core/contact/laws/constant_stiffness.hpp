@@ -11,6 +11,7 @@
 #include "core/contact/law.hpp"
 #include "core/describe.hpp"
 
+#include <cmath>
 #include <string_view>
 #include <tuple>
 
@@ -39,22 +40,26 @@ struct ConstantStiffness {
 
     template <class T>
     struct Values {
-        T normal, shear;
+        T normal, shear, root_normal, root_shear;
     };
 
-    static constexpr int value_count = 2;
+    static constexpr int value_count = 4;
     static constexpr int history_size = 0;
     static constexpr Needs needs = Needs::none;
 
-    static constexpr void resolve(const Params& params, double* values) {
+    static void resolve(const Params& params, double* values) {
         values[0] = params.normal;
         values[1] = params.shear;
+        values[2] = std::sqrt(params.normal);
+        values[3] = std::sqrt(params.shear);
     }
 
     template <class T>
     static void apply(const Values<T>& v, const Geometry<T>&, const T*, T*, Load<T>& load) {
         load.stiffness_n = v.normal;  // (1)
         load.stiffness_s = v.shear;
+        load.root_stiffness_n = v.root_normal;
+        load.root_stiffness_s = v.root_shear;
     }
 };
 

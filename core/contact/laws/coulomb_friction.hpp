@@ -59,37 +59,70 @@ struct CoulombFriction {
                       const T* history_in,
                       T* history_out,
                       Load<T>& load) {
-        const Vec3Of<T> old{history_in[0], history_in[1], history_in[2]};
-        Vec3Of<T> carried = old - dot(old, g.normal) * g.normal;  // (3)
-        carried -= (g.mean_spin * g.timestep) * cross(carried, g.normal);
-        const T old_square = dot(old, old);
-        const T carried_square = dot(carried, carried);
-        const auto restorable = T{} < carried_square;
-        const T safe_square = select(restorable, carried_square, old_square + T(1.0));
-        const T stretch = select(restorable, square_root(old_square / safe_square), T{});
-
-        const Vec3Of<T> increment =
-            (load.stiffness_s * (g.entry * g.timestep)) * g.sliding_velocity;
-        carried = stretch * carried;
-        const Vec3Of<T> trial = carried - increment;  // (1)
-
+        const Vec3Of<T> trial = carry(g, history_in) - increment_of(g, load);  // (1)
         const T limit = v.coefficient * load.normal;
-        const T trial_size = square_root(dot(trial, trial));
+        const T trial_square = dot(trial, trial);
         // At equality too, so that mu = 0 means slipping and equals a scene without friction.
-        load.slipping = !(trial_size < limit);
-        const T safe_size = select(T{} < trial_size, trial_size, T(1.0));
-        const T shrink = select(load.slipping, limit / safe_size, T(1.0));
-        load.shear = shrink * trial;  // (2)
+        load.slipping = !(trial_square < limit * limit);
+        load.shear = trial;
+        if (any(load.slipping)) {
+            const T trial_size = square_root(trial_square);
+            const T safe_size = select(T{} < trial_size, trial_size, T(1.0));
+            const T shrink = select(load.slipping, limit / safe_size, T(1.0));
+            load.shear = shrink * trial;  // (2)
+        }
 
+        history_out[0] = load.shear.x;
+        history_out[1] = load.shear.y;
+        history_out[2] = load.shear.z;
+    }
+
+    template <class T>
+    static void add_energies(const Values<T>&,
+                             const Geometry<T>& g,
+                             const T* history_in,
+                             Load<T>& load) {
+        const Vec3Of<T> carried = carry(g, history_in);
+        const Vec3Of<T> trial = carried - increment_of(g, load);
         // Mean of the forces before and after the step, times the slide (trial - F_s) / k_s.
         const Vec3Of<T> mean_force = T(0.5) * (carried + load.shear);
         const T safe_stiffness = select(T{} < load.stiffness_s, load.stiffness_s, T(1.0));
         load.slip_work = dot(mean_force, trial - load.shear) / safe_stiffness;
         load.stored = load.stored + T(0.5) * dot(load.shear, load.shear) / safe_stiffness;
+    }
 
-        history_out[0] = load.shear.x;
-        history_out[1] = load.shear.y;
-        history_out[2] = load.shear.z;
+private:
+    /// R(F_s) of (3).
+    template <class T>
+    static Vec3Of<T> carry(const Geometry<T>& g, const T* history) {
+        const Vec3Of<T> old{history[0], history[1], history[2]};
+        Vec3Of<T> carried = old - dot(old, g.normal) * g.normal;
+        carried -= (g.mean_spin * g.timestep) * cross(carried, g.normal);
+        return restored_length(dot(old, old), dot(carried, carried)) * carried;
+    }
+
+    /// k_s alpha v_s dt of (1).
+    template <class T>
+    static Vec3Of<T> increment_of(const Geometry<T>& g, const Load<T>& load) {
+        return (load.stiffness_s * (g.entry * g.timestep)) * g.sliding_velocity;
+    }
+
+    /// sqrt(before / after), the factor that gives a vector its length back; 0 if nothing is left
+    /// of it. Within a step after equals before nearly, so that a series in the difference is exact
+    /// to round-off, and its one division does not wait for the contact's direction.
+    template <class T>
+    static T restored_length(const T& before, const T& after) {
+        const T safe_before = select(T{} < before, before, T(1.0));
+        const T loss = (before - after) * (T(1.0) / safe_before);
+        const auto is_large = T(1e-4) < absolute(loss);  // the next term is 35/128 loss^4 < 3e-17
+        T factor = T(1.0) + loss * (T(0.5) + loss * (T(0.375) + loss * T(0.3125)));
+        if (any(is_large)) {
+            const auto is_left = T{} < after;
+            const T safe_after = select(is_left, after, T(1.0));
+            factor =
+                select(is_large, select(is_left, square_root(before / safe_after), T{}), factor);
+        }
+        return factor;
     }
 };
 

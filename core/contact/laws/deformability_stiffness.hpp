@@ -62,6 +62,8 @@ struct DeformabilityStiffness {
     static void apply(const Values<T>& v, const Geometry<T>& g, const T*, T*, Load<T>& load) {
         load.stiffness_n = v.area_modulus * g.area_radius * g.area_radius / g.length;  // (1) (2)
         load.stiffness_s = load.stiffness_n * v.inverse_ratio;
+        load.root_stiffness_n = square_root(load.stiffness_n);
+        load.root_stiffness_s = square_root(load.stiffness_s);
     }
 };
 

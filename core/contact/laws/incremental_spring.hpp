@@ -47,6 +47,10 @@ struct IncrementalSpring {
         const T increment = load.stiffness_n * (g.entry * g.opening_speed * g.timestep);
         load.normal = larger(T{}, history_in[0] - increment);  // (1)
         history_out[0] = load.normal;
+    }
+
+    template <class T>
+    static void add_energies(const Values<T>&, const Geometry<T>&, const T*, Load<T>& load) {
         load.stored = load.stored + T(0.5) * load.normal * load.normal / load.stiffness_n;
     }
 };

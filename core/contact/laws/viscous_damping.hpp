@@ -1,5 +1,5 @@
 /// Viscous dashpots, normal and shear, as fractions of critical damping.
-/// Model    F_dn = -c_n v_n,  F_ds = -c_s v_s,  c = 2 beta sqrt(m_c k)                      (1)
+/// Model    F_dn = -c_n v_n,  F_ds = -c_s v_s,  c = 2 beta sqrt(m_c) sqrt(k)                (1)
 ///          no tension (modes 1, 3): F_n + F_dn >= 0, else F_dn = -F_n                      (2)
 ///          cut on slip (modes 2, 3): F_ds = 0 in a step in which the shear spring slips    (3)
 /// Source   PFC linear model, dp_mode 0-3 (physics reference 1.6). Departs from it in nothing.
@@ -67,8 +67,9 @@ struct ViscousDamping {
 
     template <class T>
     static void apply(const Values<T>& v, const Geometry<T>& g, const T*, T*, Load<T>& load) {
-        const T c_n = T(2.0) * v.normal * square_root(g.effective_mass * load.stiffness_n);
-        const T c_s = T(2.0) * v.shear * square_root(g.effective_mass * load.stiffness_s);
+        const T root_mass = square_root(g.effective_mass);
+        const T c_n = T(2.0) * v.normal * root_mass * load.root_stiffness_n;
+        const T c_s = T(2.0) * v.shear * root_mass * load.root_stiffness_s;
         const T full = T{} - c_n * g.opening_speed;  // (1)
         const auto pulls = (load.normal + full < T{}) & (T{} < v.no_tension);
         load.normal_damping = select(pulls, T{} - load.normal, full);  // (2)

@@ -57,7 +57,10 @@ Outcome<Law> apply(const Row<Law>& row) {
     const auto values =
         values_of<Law, double>([&](int k) { return numbers[static_cast<std::size_t>(k)]; });
     Outcome<Law> outcome{.load = row.load};
+    outcome.load.root_stiffness_n = std::sqrt(row.load.stiffness_n);
+    outcome.load.root_stiffness_s = std::sqrt(row.load.stiffness_s);
     Law::apply(values, row.geometry, row.history.data(), outcome.history.data(), outcome.load);
+    add_energies_of<Law>(values, row.geometry, row.history.data(), outcome.load);
     return outcome;
 }
 
@@ -90,6 +93,8 @@ struct Reference<ConstantStiffness> {
     static void expect(const Outcome<ConstantStiffness>& outcome) {
         EXPECT_DOUBLE_EQ(outcome.load.stiffness_n, 1e5);
         EXPECT_DOUBLE_EQ(outcome.load.stiffness_s, 4e4);
+        EXPECT_DOUBLE_EQ(outcome.load.root_stiffness_n, std::sqrt(1e5));
+        EXPECT_DOUBLE_EQ(outcome.load.root_stiffness_s, 200.0);
     }
 };
 

@@ -144,26 +144,49 @@ TEST(Mesh, FindsExactlyThePatchesWithinReach) {
     }
 }
 
+/// What the planes say of every patch against the closest point itself.
 TEST(Mesh, BoundsDistancesByItsPlanes) {
     RandomPoints random(8);
+    int faces = 0;
+    int far = 0;
     for (const WallShape& shape : {WallShape{example_container()},
                                    WallShape{Cylinder{}},
                                    WallShape{Disc{}},
                                    WallShape{Plane{.normal = {1, 2, 3}}}}) {
         const Surface surface = surface_of(shape);
-        const std::span<const double> planes = surface.bounding_planes();
-        ASSERT_EQ(planes.size(), 4 * surface.patch_count());
+        const std::span<const double> planes = surface.planes();
+        ASSERT_EQ(planes.size(), 16 * surface.patch_count());
         for (int trial = 0; trial < 300; ++trial) {
-            const Vec3 p = random.in_cube(2.0);
-            for (std::size_t k = 0; k < surface.patch_count(); ++k) {
-                const Vec3 normal{planes[4 * k], planes[4 * k + 1], planes[4 * k + 2]};
-                const double bound = std::abs(dot(normal, p) - planes[4 * k + 3]);
-                const double just_below = bound - round_off(8, 4.0);
-                const std::vector<Index> near = patches_near(surface, p, just_below);
-                EXPECT_FALSE(std::binary_search(near.begin(), near.end(), static_cast<Index>(k)));
+            const Vec3 p = random.in_cube(0.1);
+            for (Index k = 0; k < surface.patch_count(); ++k) {
+                const auto over = [&](std::size_t n) {
+                    const double* plane = planes.data() + 16 * std::size_t{k} + 4 * n;
+                    return dot(Vec3{plane[0], plane[1], plane[2]}, p) - plane[3];
+                };
+                const auto is_near = [&](double reach) {
+                    const std::vector<Index> near = patches_near(surface, p, reach);
+                    return std::binary_search(near.begin(), near.end(), k);
+                };
+                const double rounding = round_off(8, 4.0);
+                const double height = std::abs(over(0));
+                EXPECT_FALSE(is_near(height - rounding));
+                const double inside = std::min({over(1), over(2), over(3)});
+                if (inside > rounding) {
+                    WallHits hits;
+                    surface.resolve(p, height + rounding, std::array{k}, hits);
+                    ASSERT_EQ(hits.count, 1U);
+                    EXPECT_EQ(hits.hit[0].feature, Feature::face);
+                    EXPECT_EQ(hits.hit[0].distance, height);
+                    ++faces;
+                } else if (inside < -rounding) {
+                    EXPECT_FALSE(is_near(-inside - rounding));
+                    ++far;
+                }
             }
         }
     }
+    EXPECT_GT(faces, 500);
+    EXPECT_GT(far, 1000);
 }
 
 TEST(Mesh, SharesVerticesAtTheSamePlaceOnly) {

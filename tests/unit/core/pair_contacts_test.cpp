@@ -1,4 +1,4 @@
-/// The three lists of contacts against brute force, while particles fly about.
+/// The lists of contacts against brute force, while particles fly about.
 #include "core/contact/pair_contacts.hpp"
 
 #include "tests/unit/core/search_support.hpp"
@@ -84,8 +84,9 @@ private:
 
     Pairs touching_pairs() const {
         Pairs pairs;
-        for (const Index place : contacts_.touching()) {
-            pairs.emplace_back(contacts_.objects().i[place], contacts_.objects().j[place]);
+        for (const TouchingContact contact : contacts_.touching()) {
+            pairs.emplace_back(contacts_.objects().i[contact.place()],
+                               contacts_.objects().j[contact.place()]);
         }
         return pairs;
     }
@@ -141,7 +142,7 @@ TEST(PairContacts, MissNoTouchingPairWithTheDisplacementTrigger) {
         }
         EXPECT_EQ(cloud.contacts().late_count(), cloud.late());
         EXPECT_GT(cloud.kept(), 10000U);
-        // The three lists did their work: most steps renewed none of them.
+        // The lists did their work: most steps renewed none of them.
         EXPECT_GT(cloud.contacts().renewals(), 100U);
         EXPECT_LT(cloud.contacts().renewals(), 500U);
         EXPECT_GT(cloud.contacts().candidate_builds(), 10U);

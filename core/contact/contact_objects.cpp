@@ -1,0 +1,128 @@
+#include "core/contact/contact_objects.hpp"
+
+#include <algorithm>
+
+namespace grainbench {
+
+namespace {
+
+std::uint64_t key(Index i, Index j) {
+    return (static_cast<std::uint64_t>(i) << 32) | j;
+}
+
+/// Calls act(place) for each bit that is set.
+template <class Act>
+void for_each_bit(std::span<const std::uint64_t> words, const Act& act) {
+    for (std::size_t w = 0; w < words.size(); ++w) {
+        for (std::uint64_t bits = words[w]; bits != 0; bits &= bits - 1) {
+            act(static_cast<Index>(64 * w) + static_cast<Index>(__builtin_ctzll(bits)));
+        }
+    }
+}
+
+}  // namespace
+
+void ContactObjects::renew(const PairList& from, std::span<const Index> found) {
+    std::swap(list_, list_before_);
+    std::swap(acting_, acting_before_);
+    std::swap(rows_, rows_before_);
+    const auto count = static_cast<Index>(found.size());
+    list_.count = count;
+    list_.pad();
+    for (Index k = 0; k < count; ++k) {
+        list_.i[k] = from.i[found[k]];
+        list_.j[k] = from.j[found[k]];
+    }
+    acting_.assign(list_.words(), 0);
+    rows_.assign(stride() * list_.i.size(), 0.0);
+    touching_.resize(list_.i.size());
+    touching_count_ = 0;
+    Index k = 0;
+    for_each_bit(acting_before_, [&](Index old) {
+        const std::uint64_t wanted = key(list_before_.i[old], list_before_.j[old]);
+        while (k < count && key(list_.i[k], list_.j[k]) < wanted) {
+            ++k;
+        }
+        if (k < count && key(list_.i[k], list_.j[k]) == wanted) {
+            set_acting(k);
+            std::copy_n(rows_before_.data() + stride() * old, stride(), row(k));
+        }
+    });
+}
+
+bool ContactObjects::was_listed(Index i, Index j) const {
+    const auto end = list_before_.i.begin() + static_cast<std::ptrdiff_t>(list_before_.count);
+    const auto row = std::equal_range(list_before_.i.begin(), end, i);
+    const auto first = list_before_.j.begin();
+    return std::binary_search(first + (row.first - list_before_.i.begin()),
+                              first + (row.second - list_before_.i.begin()),
+                              j);
+}
+
+bool ContactObjects::set_touching(std::span<const std::uint64_t> now) {
+    touching_count_ = 0;
+    bool changed = false;
+    for (std::size_t w = 0; w < now.size(); ++w) {
+        const std::uint64_t before = acting_[w];
+        const std::uint64_t opened = before & ~now[w];
+        changed = changed || before != now[w];
+        acting_[w] = now[w];
+        const auto first = static_cast<Index>(64 * w);
+        for (std::uint64_t bits = opened; bits != 0; bits &= bits - 1) {
+            std::fill_n(row(first + static_cast<Index>(__builtin_ctzll(bits))), stride(), 0.0);
+        }
+        for (std::uint64_t bits = now[w]; bits != 0; bits &= bits - 1) {
+            const auto bit = static_cast<Index>(__builtin_ctzll(bits));
+            touching_[touching_count_++] = TouchingContact(first + bit, (before >> bit & 1) == 0);
+        }
+    }
+    return changed;
+}
+
+void ContactObjects::hand_over(Index from, Index to) {
+    std::copy_n(row(from), stride(), row(to));
+    std::fill_n(row(from), stride(), 0.0);
+    acting_[from / 64] &= ~(std::uint64_t{1} << (from % 64));
+    set_acting(to);
+}
+
+void ContactObjects::change_history(std::span<const int> sources) {
+    const ContactObjects old = *this;
+    history_size_ = static_cast<int>(sources.size());
+    rows_.assign(stride() * list_.i.size(), 0.0);
+    for (Index k = 0; k < list_.count; ++k) {
+        const double* from = old.rows_.data() + old.stride() * k;
+        for (std::size_t c = 0; c < sources.size(); ++c) {
+            if (sources[c] >= 0) {
+                row(k)[c] = from[sources[c]];
+            }
+        }
+        std::copy_n(old.extra(k), 4 * std::size_t{extra_packets_}, extra(k));
+    }
+}
+
+void ContactObjects::save(Archive& archive, const std::string& name) const {
+    archive.put(name + "/i", std::vector<Index>(list_.i.begin(), list_.i.begin() + list_.count));
+    archive.put(name + "/j", std::vector<Index>(list_.j.begin(), list_.j.begin() + list_.count));
+    archive.put(name + "/acting", acting_);
+    archive.put(name + "/rows", std::vector<double>(rows_.begin(), rows_.end()));
+}
+
+void ContactObjects::load(const Archive& archive, const std::string& name) {
+    const auto& i = archive.get<Index>(name + "/i");
+    const auto& j = archive.get<Index>(name + "/j");
+    list_.i.assign(i.begin(), i.end());
+    list_.j.assign(j.begin(), j.end());
+    list_.count = static_cast<Index>(i.size());
+    list_.pad();
+    acting_ = archive.get<std::uint64_t>(name + "/acting");
+    const auto& rows = archive.get<double>(name + "/rows");
+    rows_.assign(rows.begin(), rows.end());
+    touching_.resize(list_.i.size());
+    touching_count_ = 0;
+    for_each_bit(acting_, [&](Index place) {
+        touching_[touching_count_++] = TouchingContact(place, false);
+    });
+}
+
+}  // namespace grainbench

@@ -1,0 +1,85 @@
+/// Contact objects of one kind in lexicographic order, and what lasts of them from step to step:
+/// which of them act, and the history of those that do. One bit per object says whether it acts, so
+/// that what opened and what closed in a step falls out of whole words.
+#pragma once
+
+#include "core/archive.hpp"
+#include "core/search/candidates.hpp"
+
+#include <span>
+#include <string>
+
+namespace grainbench {
+
+class ContactObjects {
+public:
+    /// \param extra_packets kept by object behind its history
+    explicit ContactObjects(int history_size = 0, Index extra_packets = 0)
+        : history_size_(history_size), extra_packets_(extra_packets) {}
+
+    /// Pairs (particle, partner), by place.
+    const PairList& list() const { return list_; }
+
+    /// Takes the first `count` of `found` places in `from` as the new objects. Those that act and
+    /// stay keep their history.
+    void renew(const PairList& from, std::span<const Index> found);
+
+    /// True if the pair was in the list before the last renewal.
+    bool was_listed(Index i, Index j) const;
+
+    /// Takes over which objects touch, one bit each, and forgets the history of those that opened.
+    /// True if any opened or closed.
+    bool set_touching(std::span<const std::uint64_t> now);
+
+    /// Objects that touch, ascending.
+    std::span<const TouchingContact> touching() const {
+        return {touching_.data(), touching_count_};
+    }
+
+    bool acts(Index place) const { return (acting_[place / 64] >> (place % 64) & 1) != 0; }
+
+    /// Makes an object act before it is found to touch: its first step counts as a whole one.
+    void set_acting(Index place) { acting_[place / 64] |= std::uint64_t{1} << (place % 64); }
+
+    /// Hands the history of an acting object on to one that does not act yet.
+    void hand_over(Index from, Index to);
+
+    std::span<const std::uint64_t> acting() const { return acting_; }
+
+    /// Rows by place: history_packets(size) packets of history, then the extra packets.
+    double* rows() { return rows_.data(); }
+
+    double* extra(Index place) {
+        return row(place) + 4 * std::size_t{history_packets(history_size_)};
+    }
+
+    const double* extra(Index place) const {
+        return rows_.data() + stride() * place + 4 * std::size_t{history_packets(history_size_)};
+    }
+
+    /// Other laws from here on: column c of the history takes over sources[c]; -1 starts from zero.
+    void change_history(std::span<const int> sources);
+
+    void save(Archive& archive, const std::string& name) const;
+    void load(const Archive& archive, const std::string& name);
+
+private:
+    std::size_t stride() const {
+        return 4 * std::size_t{history_packets(history_size_) + extra_packets_};
+    }
+
+    double* row(Index place) { return rows_.data() + stride() * place; }
+
+    int history_size_ = 0;
+    Index extra_packets_ = 0;
+    PairList list_;
+    std::vector<std::uint64_t> acting_;
+    Column<double> rows_;
+    Column<TouchingContact> touching_;
+    std::size_t touching_count_ = 0;
+    PairList list_before_;
+    std::vector<std::uint64_t> acting_before_;
+    Column<double> rows_before_;
+};
+
+}  // namespace grainbench

@@ -1,0 +1,385 @@
+/// Forces of contacts, written once over lanes. Loads, transposes and scatters live here, laws
+/// never see memory.
+#pragma once
+
+#include "core/contact/law_table.hpp"
+#include "core/kernels/kernels.hpp"
+#include "core/simd/lanes.hpp"
+
+#include <algorithm>
+
+namespace grainbench::GRAINBENCH_ISA {
+
+/// Values of laws for a block of contacts: the first `count` columns of the table after the step
+/// factors. Where all pairs of materials are alike they are spread over the lanes once per pass.
+template <int first, int count>
+struct BlockValues {
+    Pack value[count + 1];
+
+    explicit BlockValues(const LawView& view) {
+        for (int k = 0; k < count; ++k) {
+            value[k] = Pack(view.values[static_cast<std::size_t>(first + k) * view.value_stride]);
+        }
+    }
+
+    void look_up(const LawView& view, Pack material_i, Pack material_j) {
+        const Pack row = material_i * Pack(static_cast<double>(view.material_count)) + material_j;
+        for (int k = 0; k < count; ++k) {
+            const auto column = static_cast<std::size_t>(first + k) * view.value_stride;
+            value[k] = GRAINBENCH_ISA::look_up(view.values + column, row);
+        }
+    }
+};
+
+template <class Laws>
+using LawValues = BlockValues<step_factor_count, Laws::value_count>;
+
+/// Motion of the bodies of a block of contacts.
+struct Bodies {
+    Vec3Of<Pack> velocity_i, velocity_j;
+    Vec3Of<Pack> spin_i, spin_j;
+    Pack lever_i, lever_j;  ///< [m] from the centres to the contact point along the normal
+    Pack inverse_mass_i, inverse_mass_j;
+    unsigned new_bits;  ///< lanes whose contact did not act in the last step
+};
+
+/// Fills the parts of the geometry that the laws need.
+template <class Laws>
+void complete_geometry(const Bodies& b, Pack timestep, Geometry<Pack>& g) {
+    g.timestep = timestep;
+    if constexpr (contains(Laws::needs, Needs::effective_mass)) {
+        g.effective_mass = Pack(1.0) / (b.inverse_mass_i + b.inverse_mass_j);
+    }
+    if constexpr (contains(Laws::needs, Needs::velocity)) {
+        Vec3Of<Pack> relative = b.velocity_j - b.velocity_i;
+        g.opening_speed = dot(relative, g.normal);
+        if constexpr (contains(Laws::needs, Needs::spin)) {
+            relative -= cross(b.lever_i * b.spin_i + b.lever_j * b.spin_j, g.normal);
+            g.sliding_velocity = relative - dot(relative, g.normal) * g.normal;
+            g.mean_spin = Pack(0.5) * dot(b.spin_i + b.spin_j, g.normal);
+        }
+    }
+    if constexpr (contains(Laws::needs, Needs::entry)) {
+        g.entry = Pack(1.0);
+        if (b.new_bits != 0) {
+            const Pack approach = absolute(g.opening_speed * timestep);
+            const Mask partial = (g.overlap < approach) & mask_of(b.new_bits);
+            const Pack safe = select(partial, approach, Pack(1.0));
+            g.entry = select(partial, g.overlap / safe, Pack(1.0));
+        }
+    }
+}
+
+/// Folds the laws over a block. history_in and history_out hold Laws::history_size packs.
+template <class Laws>
+Load<Pack> apply_laws(const LawValues<Laws>& values,
+                      const Geometry<Pack>& g,
+                      const Pack* history_in,
+                      Pack* history_out) {
+    Load<Pack> load;
+    load.slipping = Mask::all();
+    Laws::for_each([&]<class Law, int first_value, int first_history>() {
+        Law::apply(values_of<Law, Pack>([&](int k) { return values.value[first_value + k]; }),
+                   g,
+                   history_in + first_history,
+                   history_out + first_history,
+                   load);
+    });
+    return load;
+}
+
+template <class Laws>
+void add_energies(const LawValues<Laws>& values,
+                  const Geometry<Pack>& g,
+                  const Pack* history_in,
+                  Load<Pack>& load) {
+    Laws::for_each([&]<class Law, int first_value, int first_history>() {
+        add_energies_of<Law>(
+            values_of<Law, Pack>([&](int k) { return values.value[first_value + k]; }),
+            g,
+            history_in + first_history,
+            load);
+    });
+}
+
+/// Total force on j.
+template <class Laws>
+Vec3Of<Pack> force_on_j(const Load<Pack>& load, const Geometry<Pack>& g) {
+    Vec3Of<Pack> force = (load.normal + load.normal_damping) * g.normal;
+    if constexpr (contains(Laws::needs, Needs::spin)) {
+        force += load.shear + load.shear_damping;
+    }
+    return force;
+}
+
+/// Writes the records of `valid` contacts.
+inline void keep_records(const Load<Pack>& load,
+                         const Geometry<Pack>& g,
+                         const Bodies& b,
+                         Index valid,
+                         double* records) {
+    const Vec3Of<Pack> damping = load.normal_damping * g.normal + load.shear_damping;
+    const Pack columns[record_size] = {damping.x,
+                                       damping.y,
+                                       damping.z,
+                                       load.slip_work,
+                                       load.stored,
+                                       load.normal,
+                                       load.shear.x,
+                                       load.shear.y,
+                                       load.shear.z,
+                                       b.lever_i,
+                                       b.lever_j,
+                                       g.normal.x,
+                                       g.normal.y,
+                                       g.normal.z};
+    double lanes[width];
+    for (Index field = 0; field < record_size; ++field) {
+        store(columns[field], lanes);
+        for (Index l = 0; l < valid; ++l) {
+            records[static_cast<std::size_t>(l) * record_size + field] = lanes[l];
+        }
+    }
+}
+
+/// Adds a packet to a row of a column of packets, or takes it away.
+inline void add_packet(double* column, Index row, const double* packet) {
+    double* to = column + 4 * static_cast<std::size_t>(row);
+    (Packet(to) + Packet(packet)).store(to);
+}
+
+inline void subtract_packet(double* column, Index row, const double* packet) {
+    double* to = column + 4 * static_cast<std::size_t>(row);
+    (Packet(to) - Packet(packet)).store(to);
+}
+
+/// History of the contacts of a block. Rows of `row_packets` packets begin with it.
+template <int size, Index row_packets>
+struct BlockHistory {
+    static constexpr Index packets = history_packets(size);
+    Pack in[4 * packets + 1];
+    Pack out[4 * packets + 1];
+
+    void load(const double* rows, const Index* place) {
+        for (Index n = 0; n < packets; ++n) {
+            const Packets four =
+                load_packets(rows, [&](Index l) { return row_packets * place[l] + n; });
+            in[4 * n] = four.xyz.x;
+            in[4 * n + 1] = four.xyz.y;
+            in[4 * n + 2] = four.xyz.z;
+            in[4 * n + 3] = four.w;
+        }
+    }
+
+    void store(double* rows, const Index* place, Index valid) const {
+        alignas(64) double lanes[4 * width];
+        for (Index n = 0; n < packets; ++n) {
+            store_packets({out[4 * n], out[4 * n + 1], out[4 * n + 2]}, out[4 * n + 3], lanes);
+            for (Index l = 0; l < valid; ++l) {
+                const std::size_t row = static_cast<std::size_t>(row_packets) * place[l] + n;
+                Packet(lanes + 4 * l).store(rows + 4 * row);
+            }
+        }
+    }
+};
+
+/// Places of the contacts of a block; lanes past the end repeat the last contact, and nothing of
+/// theirs is stored.
+struct Block {
+    Index valid;
+    unsigned new_bits = 0;
+    Index place[width];
+
+    Block(const TouchingContact* touching, Index count)
+        : valid(count < width ? count : Index{width}) {
+        for (Index l = 0; l < width; ++l) {
+            const TouchingContact contact = touching[l < valid ? l : valid - 1];
+            place[l] = contact.place();
+            new_bits |= static_cast<unsigned>(contact.is_new()) << l;
+        }
+    }
+};
+
+// The passes are flattened: laws and helpers are one body with them, so that a block of contacts
+// stays in registers from load to store.
+template <class Laws>
+[[gnu::flatten]] void pair_pass(const PairPass& pass) {
+    const ParticleView& p = pass.particles;
+    const Pack timestep(pass.laws.timestep);
+    LawValues<Laws> values(pass.laws);
+    for (Index first = 0; first < pass.touching_count; first += width) {
+        const Block block(pass.touching + first, pass.touching_count - first);
+        Index row_i[width];
+        Index row_j[width];
+        for (Index l = 0; l < width; ++l) {
+            row_i[l] = pass.i[block.place[l]];
+            row_j[l] = pass.j[block.place[l]];
+        }
+        const auto load_i = [&](const double* column) {
+            return load_packets(column, [&](Index l) { return row_i[l]; });
+        };
+        const auto load_j = [&](const double* column) {
+            return load_packets(column, [&](Index l) { return row_j[l]; });
+        };
+
+        Geometry<Pack> g{};
+        Bodies b;
+        const Packets at_i = load_i(p.position);
+        const Packets at_j = load_j(p.position);
+        const Vec3Of<Pack> apart = at_j.xyz - at_i.xyz;
+        const Pack distance = square_root(dot(apart, apart));
+        // Coincident centres have no direction: any will do, and it must be a number.
+        const Mask together = !(Pack{} < distance);
+        const Pack inverse = Pack(1.0) / select(together, Pack(1.0), distance);
+        g.normal = inverse * apart;
+        g.normal.z = select(together, Pack(1.0), g.normal.z);
+        g.overlap = larger(Pack{}, at_i.w + at_j.w - distance);
+        b.lever_i = at_i.w - Pack(0.5) * g.overlap;
+        b.lever_j = at_j.w - Pack(0.5) * g.overlap;
+        b.new_bits = block.new_bits;
+        if constexpr (contains(Laws::needs, Needs::radii)) {
+            g.area_radius = smaller(at_i.w, at_j.w);
+            g.length = at_i.w + at_j.w;
+        }
+        if constexpr (contains(Laws::needs, Needs::velocity) ||
+                      contains(Laws::needs, Needs::effective_mass)) {
+            const Packets motion_i = load_i(p.velocity);
+            const Packets motion_j = load_j(p.velocity);
+            b.velocity_i = motion_i.xyz;
+            b.velocity_j = motion_j.xyz;
+            b.inverse_mass_i = motion_i.w;
+            b.inverse_mass_j = motion_j.w;
+        }
+        if constexpr (contains(Laws::needs, Needs::spin)) {
+            b.spin_i = load_i(p.spin).xyz;
+            b.spin_j = load_j(p.spin).xyz;
+        }
+        if (!pass.laws.uniform) {
+            values.look_up(pass.laws, load_i(p.spin).w, load_j(p.spin).w);
+        }
+        complete_geometry<Laws>(b, timestep, g);
+
+        BlockHistory<Laws::history_size, history_packets(Laws::history_size)> history;
+        history.load(pass.rows, block.place);
+        Load<Pack> load = apply_laws<Laws>(values, g, history.in, history.out);
+        history.store(pass.rows, block.place, block.valid);
+        if (pass.records != nullptr) {
+            add_energies<Laws>(values, g, history.in, load);
+            keep_records(load,
+                         g,
+                         b,
+                         block.valid,
+                         pass.records + static_cast<std::size_t>(first) * record_size);
+        }
+
+        const Vec3Of<Pack> force = force_on_j<Laws>(load, g);
+        alignas(64) double forces[4 * width];
+        store_packets(force, Pack{}, forces);
+        // Lane by lane, so that sums are in the order of the contacts whatever the width.
+        if constexpr (contains(Laws::needs, Needs::spin)) {
+            // Contact point and force give -r_i n x F on i and -r_j n x F on j.
+            const Vec3Of<Pack> turning = cross(g.normal, force);
+            alignas(64) double torques_i[4 * width];
+            alignas(64) double torques_j[4 * width];
+            store_packets(b.lever_i * turning, Pack{}, torques_i);
+            store_packets(b.lever_j * turning, Pack{}, torques_j);
+            for (Index l = 0; l < block.valid; ++l) {
+                subtract_packet(p.torque, row_i[l], torques_i + 4 * l);
+                subtract_packet(p.torque, row_j[l], torques_j + 4 * l);
+            }
+        }
+        for (Index l = 0; l < block.valid; ++l) {
+            subtract_packet(p.force, row_i[l], forces + 4 * l);
+            add_packet(p.force, row_j[l], forces + 4 * l);
+            p.loaded[row_i[l]] = 1;
+            p.loaded[row_j[l]] = 1;
+        }
+    }
+}
+
+template <class Laws>
+[[gnu::flatten]] void wall_pass(const WallPass& pass) {
+    constexpr Index row_packets = history_packets(Laws::history_size) + 1;
+    const ParticleView& p = pass.particles;
+    const Pack timestep(pass.laws.timestep);
+    const auto spread = [](const double(&v)[3]) {
+        return Vec3Of<Pack>{Pack(v[0]), Pack(v[1]), Pack(v[2])};
+    };
+    const Vec3Of<Pack> wall_velocity = spread(pass.velocity);
+    const Vec3Of<Pack> wall_spin = spread(pass.spin);
+    const Vec3Of<Pack> centre = spread(pass.centre);
+    LawValues<Laws> values(pass.laws);
+    for (Index first = 0; first < pass.touching_count; first += width) {
+        const Block block(pass.touching + first, pass.touching_count - first);
+        Index row[width];
+        for (Index l = 0; l < width; ++l) {
+            row[l] = pass.particle[block.place[l]];
+        }
+        const auto load_i = [&](const double* column) {
+            return load_packets(column, [&](Index l) { return row[l]; });
+        };
+
+        Geometry<Pack> g{};
+        Bodies b;
+        const Packets at_i = load_i(p.position);
+        const Packets wall = load_packets(
+            pass.rows, [&](Index l) { return row_packets * block.place[l] + row_packets - 1; });
+        g.normal = wall.xyz;
+        g.overlap = larger(Pack{}, at_i.w - wall.w);
+        b.lever_i = at_i.w - Pack(0.5) * g.overlap;
+        b.lever_j = Pack{};  // the wall's spin is already in its velocity at the contact
+        b.new_bits = block.new_bits;
+        if constexpr (contains(Laws::needs, Needs::radii)) {
+            g.area_radius = at_i.w;
+            g.length = at_i.w;
+        }
+        if constexpr (contains(Laws::needs, Needs::velocity) ||
+                      contains(Laws::needs, Needs::effective_mass)) {
+            const Packets motion = load_i(p.velocity);
+            b.velocity_i = motion.xyz;
+            b.inverse_mass_i = motion.w;
+            b.inverse_mass_j = Pack{};
+            // The contact point is in the middle of the overlap (physics reference 1.1).
+            const Vec3Of<Pack> arm = at_i.xyz + b.lever_i * g.normal - centre;
+            b.velocity_j = wall_velocity + cross(wall_spin, arm);
+        }
+        if constexpr (contains(Laws::needs, Needs::spin)) {
+            b.spin_i = load_i(p.spin).xyz;
+            b.spin_j = dot(wall_spin, g.normal) * g.normal;
+        }
+        if (!pass.laws.uniform) {
+            values.look_up(pass.laws, load_i(p.spin).w, Pack(pass.material));
+        }
+        complete_geometry<Laws>(b, timestep, g);
+
+        BlockHistory<Laws::history_size, row_packets> history;
+        history.load(pass.rows, block.place);
+        Load<Pack> load = apply_laws<Laws>(values, g, history.in, history.out);
+        history.store(pass.rows, block.place, block.valid);
+        if (pass.records != nullptr) {
+            add_energies<Laws>(values, g, history.in, load);
+            keep_records(load,
+                         g,
+                         b,
+                         block.valid,
+                         pass.records + static_cast<std::size_t>(first) * record_size);
+        }
+
+        const Vec3Of<Pack> force = force_on_j<Laws>(load, g);
+        alignas(64) double forces[4 * width];
+        store_packets(force, Pack{}, forces);
+        for (Index l = 0; l < block.valid; ++l) {
+            Packet(forces + 4 * l).store(pass.force + 4 * static_cast<std::size_t>(first + l));
+            subtract_packet(p.force, row[l], forces + 4 * l);
+            p.loaded[row[l]] = 1;
+        }
+        if constexpr (contains(Laws::needs, Needs::spin)) {
+            store_packets(b.lever_i * cross(g.normal, force), Pack{}, forces);
+            for (Index l = 0; l < block.valid; ++l) {
+                subtract_packet(p.torque, row[l], forces + 4 * l);
+            }
+        }
+    }
+}
+
+}  // namespace grainbench::GRAINBENCH_ISA

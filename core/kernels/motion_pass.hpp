@@ -1,0 +1,118 @@
+/// Kick and drift of particles, and how far they have come.
+#pragma once
+
+#include "core/kernels/kernels.hpp"
+#include "core/simd/lanes.hpp"
+
+#include <cstring>
+
+namespace grainbench::GRAINBENCH_ISA {
+
+/// v += F/m kick, omega += T/I kick; force and torque are taken away.
+inline Packet kick_by_loads(const ParticleView& p, std::size_t row, const Packet& kick) {
+    const std::size_t at = 4 * row;
+    const Packet zero(0.0);
+    const Packet velocity(p.velocity + at);
+    const Packet torque(p.torque + at);
+    const Packet kicked =
+        velocity + with_fourth(Packet(p.force + at) * velocity.fourth() * kick, zero);
+    const Packet spin = Packet(p.spin + at) + with_fourth(torque * torque.fourth() * kick, zero);
+    spin.store(p.spin + at);
+    zero.store(p.force + at);
+    with_fourth(zero, torque).store(p.torque + at);
+    return kicked;
+}
+
+/// Calls act(row) for each loaded particle and marks it as no longer loaded.
+template <class Act>
+void for_each_loaded(const ParticleView& p, const Act& act) {
+    for (std::size_t first = 0; first < p.padded_count; first += 8) {
+        std::uint64_t flags = 0;
+        std::memcpy(&flags, p.loaded + first, 8);
+        if (flags == 0) {
+            continue;
+        }
+        for (; flags != 0; flags &= flags - 1) {
+            act(first + static_cast<std::size_t>(__builtin_ctzll(flags)) / 8);
+        }
+        std::memset(p.loaded + first, 0, 8);
+    }
+}
+
+/// Two running sums whatever the vector length keep the bits the same on every instruction set.
+/// Forces and gravity kick one after the other, so that particles without loads may skip the first.
+inline void move(MotionPass& pass) {
+    const ParticleView& p = pass.particles;
+    const Packet kick(pass.kick);
+    const Packet zero(0.0);
+    const double drift_components[4] = {pass.drift, pass.drift, pass.drift, 0.0};
+    alignas(32) double components[4];
+    const auto packet = [&](const double(&from)[4]) {
+        std::memcpy(components, from, sizeof components);
+        return Packet(components);
+    };
+    const Packet drift = packet(drift_components);
+    const Packet frame = packet(pass.frame);
+    const Packet fall = packet(pass.gravity) * kick;
+    if (pass.few_are_loaded) {
+        for_each_loaded(
+            p, [&](std::size_t row) { kick_by_loads(p, row, kick).store(p.velocity + 4 * row); });
+    } else {
+        std::memset(p.loaded, 0, p.padded_count);
+    }
+    Packet sum[2] = {zero, zero};
+    Packet fastest[2] = {zero, zero};
+    const auto sweep = [&](const auto& velocity_of) {
+        const auto advance = [&](std::size_t row, std::size_t k) {
+            const std::size_t at = 4 * row;
+            const Packet velocity = velocity_of(row) + fall;
+            velocity.store(p.velocity + at);
+            (Packet(p.position + at) + velocity * drift).store(p.position + at);
+            sum[k] = sum[k] + velocity;
+            fastest[k] = larger(absolute(velocity - frame), fastest[k]);
+        };
+        std::size_t row = 0;
+        for (; row + 1 < p.count; row += 2) {
+            advance(row, 0);
+            advance(row + 1, 1);
+        }
+        if (row < p.count) {
+            advance(row, 0);
+        }
+    };
+    if (pass.few_are_loaded) {
+        sweep([&](std::size_t row) { return Packet(p.velocity + 4 * row); });
+    } else {
+        sweep([&](std::size_t row) { return kick_by_loads(p, row, kick); });
+    }
+    larger(fastest[0], fastest[1]).store(components);
+    std::memcpy(pass.fastest, components, sizeof components);
+    (sum[0] + sum[1]).store(components);
+    std::memcpy(pass.velocity_sum, components, sizeof components);
+}
+
+inline void measure_travel(TravelPass& pass) {
+    const Vec3Of<Pack> frame{Pack(pass.frame[0]), Pack(pass.frame[1]), Pack(pass.frame[2])};
+    const Pack smallest_square(pass.smallest_radius * pass.smallest_radius);
+    Pack largest;
+    for (std::size_t first = 0; first < pass.padded_count; first += width) {
+        const auto row = [&](Index l) { return first + l; };
+        const Packets now = load_packets(pass.position, row);
+        const Packets then = load_packets(pass.reference, row);
+        const Vec3Of<Pack> way = now.xyz - then.xyz - frame;
+        Pack square = dot(way, way);
+        if (pass.by_radius) {
+            square = square * smallest_square / (now.w * now.w);
+        }
+        // Padding has no radius.
+        largest = larger(largest, select(Pack{} < now.w, square, Pack{}));
+    }
+    double lanes[width];
+    store(largest, lanes);
+    pass.largest_square = 0.0;
+    for (const double lane : lanes) {
+        pass.largest_square = pass.largest_square < lane ? lane : pass.largest_square;
+    }
+}
+
+}  // namespace grainbench::GRAINBENCH_ISA

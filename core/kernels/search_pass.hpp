@@ -1,0 +1,173 @@
+/// Which pairs and which wall patches are within reach.
+#pragma once
+
+#include "core/kernels/kernels.hpp"
+#include "core/simd/lanes.hpp"
+
+namespace grainbench::GRAINBENCH_ISA {
+
+/// Centres apart and sum of radii of a block of pairs.
+struct PairSpan {
+    Vec3Of<Pack> apart;
+    Pack radii;
+
+    PairSpan(const double* position, const Index* i, const Index* j) {
+        const Packets at_i = load_packets(position, [&](Index l) { return i[l]; });
+        const Packets at_j = load_packets(position, [&](Index l) { return j[l]; });
+        apart = at_j.xyz - at_i.xyz;
+        radii = at_i.w + at_j.w;
+    }
+
+    Mask within(Pack scale, Pack extra) const {
+        const Pack reach = scale * radii + extra;
+        return dot(apart, apart) <= reach * reach;
+    }
+};
+
+/// Adds the pairs of one particle with those at places [first, last) of one row of cells. False if
+/// room ran out.
+inline bool search_row(CellSearch& search, Index place, Index first, Index last) {
+    const double* p = search.packet + 4 * std::size_t{place};
+    const Vec3Of<Pack> centre{Pack(p[0]), Pack(p[1]), Pack(p[2])};
+    const Pack radius(p[3]);
+    const Index self = search.slot[place];
+    for (Index q = first; q < last; q += width) {
+        if (search.found + 8 > search.capacity) {
+            return false;
+        }
+        const Packets other = load_packets(search.packet, [&](Index l) {
+            return q + l < search.count ? q + l : search.count - 1;
+        });
+        const Vec3Of<Pack> apart = other.xyz - centre;
+        const Pack reach = Pack(search.scale) * (radius + other.w) + Pack(search.extra);
+        const Mask close = dot(apart, apart) <= reach * reach;
+        const unsigned is_smaller = bits_of(other.w < radius);
+        const unsigned is_larger = bits_of(radius < other.w);
+        const unsigned is_later = place < q ? ~0U : place - q < 31 ? ~0U << (place - q + 1) : 0U;
+        unsigned bits =
+            bits_of(close) & first_bits(last - q) & (is_smaller | (~is_larger & is_later));
+        for (; bits != 0; bits &= bits - 1) {
+            const Index partner = search.slot[q + static_cast<Index>(__builtin_ctz(bits))];
+            search.i[search.found] = self < partner ? self : partner;
+            search.j[search.found] = self < partner ? partner : self;
+            ++search.found;
+        }
+    }
+    return true;
+}
+
+inline void search_cells(CellSearch& search) {
+    const CellGrid& grid = search.grid;
+    for (; search.next < search.count; ++search.next) {
+        const Index place = search.next;
+        const std::size_t found_before = search.found;
+        const double* p = search.packet + 4 * std::size_t{place};
+        // The partner is at most as large, so this reach covers every pair that is ours to find.
+        const double reach = 2.0 * search.scale * p[3] + search.extra;
+        const bool is_smallest = p[3] == search.smallest_radius;
+        std::int64_t from[3];
+        std::int64_t to[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            from[axis] = grid.coordinate(p[axis] - reach, axis);
+            to[axis] = grid.coordinate(p[axis] + reach, axis);
+        }
+        for (std::int64_t z = from[2]; z <= to[2]; ++z) {
+            for (std::int64_t y = from[1]; y <= to[1]; ++y) {
+                const std::int64_t row = (z * grid.cells[1] + y) * grid.cells[0];
+                Index first = search.cell_start[row + from[0]];
+                const Index last = search.cell_start[row + to[0] + 1];
+                first = is_smallest && first <= place ? place + 1 : first;
+                if (!search_row(search, place, first, last)) {
+                    search.found = found_before;
+                    return;
+                }
+            }
+        }
+    }
+}
+
+inline Index find_pairs(const PairQuery& query, Index* found) {
+    const Pack scale(query.scale);
+    const Pack extra(query.extra);
+    Index count = 0;
+    for (Index k = 0; k < query.count; k += width) {
+        const PairSpan span(query.position, query.i + k, query.j + k);
+        const unsigned bits = bits_of(span.within(scale, extra)) & first_bits(query.count - k);
+        count = append_places(bits, k, found, count);
+    }
+    return count;
+}
+
+/// Bits below `count` of the 64 that start at `first`.
+inline std::uint64_t valid_bits(Index first, Index count) {
+    const Index left = count - first;
+    return left < 64 ? (std::uint64_t{1} << left) - 1 : ~std::uint64_t{0};
+}
+
+inline void test_pairs(const PairQuery& query, std::uint64_t* within) {
+    const Pack scale(query.scale);
+    const Pack extra(query.extra);
+    for (Index first = 0; first < query.count; first += 64) {
+        std::uint64_t word = 0;
+        for (Index k = 0; k < 64; k += width) {
+            const PairSpan span(query.position, query.i + first + k, query.j + first + k);
+            word |= std::uint64_t{bits_of(span.within(scale, extra))} << k;
+        }
+        within[first / 64] = word & valid_bits(first, query.count);
+    }
+}
+
+inline void test_patches(const PatchQuery& query, const PatchAnswers& answers) {
+    const Pack scale(query.scale);
+    const Pack extra(query.extra);
+    const Vec3Of<Pack> shift{Pack(query.shift[0]), Pack(query.shift[1]), Pack(query.shift[2])};
+    Vec3Of<Pack> turn[3];
+    for (int r = 0; r < 3; ++r) {
+        const double* row = query.rotation + 3 * r;
+        turn[r] = {Pack(row[0]), Pack(row[1]), Pack(row[2])};
+    }
+    for (Index first = 0; first < query.count; first += 64) {
+        std::uint64_t face = 0;
+        std::uint64_t doubt = 0;
+        for (Index k = 0; k < 64; k += width) {
+            const Index* particle = query.particle + first + k;
+            const Index* patch = query.patch + first + k;
+            const Packets sphere =
+                load_packets(query.position, [&](Index l) { return particle[l]; });
+            const auto plane = [&](Index n) {
+                return load_packets(query.planes, [&](Index l) { return 4 * patch[l] + n; });
+            };
+            Vec3Of<Pack> place = sphere.xyz - shift;
+            if (query.rotated) {
+                place = {dot(turn[0], place), dot(turn[1], place), dot(turn[2], place)};
+            }
+            const Packets surface = plane(0);
+            const Pack height = dot(surface.xyz, place) - surface.w;
+            store(height, answers.height + first + k);
+            const Pack reach = scale * sphere.w + extra;
+            const Mask level = absolute(height) <= reach;
+            if (bits_of(level) == 0) {
+                continue;
+            }
+            // Rounding must not make a face of what lies on its edge.
+            const Pack margin = Pack(1e-9) * reach;
+            const auto inside = [&](Index n) {
+                const Packets side = plane(n);
+                return dot(side.xyz, place) - side.w;
+            };
+            const Pack least = smaller(inside(1), smaller(inside(2), inside(3)));
+            const Mask in_face = margin < least;
+            // Outside a side by so much the patch is at least this far.
+            const Pack outside = smaller(least, Pack{});
+            const Mask may_touch =
+                height * height + outside * outside <= Pack(1.0 + 1e-9) * reach * reach;
+            face |= std::uint64_t{bits_of(level & in_face)} << k;
+            doubt |= std::uint64_t{bits_of(level & may_touch & !in_face)} << k;
+        }
+        const std::uint64_t valid = valid_bits(first, query.count);
+        answers.face[first / 64] = face & valid;
+        answers.doubt[first / 64] = doubt & valid;
+    }
+}
+
+}  // namespace grainbench::GRAINBENCH_ISA

@@ -1,0 +1,144 @@
+/// Sums over contacts for the stable step (core/integrate/stable_step.hpp has the equations).
+#pragma once
+
+#include "core/contact/law_table.hpp"
+#include "core/kernels/contact_pass.hpp"
+
+namespace grainbench::GRAINBENCH_ISA {
+
+/// The step factors and the values of a stiffness law, which fills the first slot.
+template <class Law>
+using StepValues = BlockValues<0, step_factor_count + Law::value_count>;
+
+/// Normal and shear stiffness of a block of contacts that count for the stable step [N/m]:
+/// ContactTable::step_stiffness in lanes.
+struct StiffnessPair {
+    Pack normal, shear;
+
+    template <class Law>
+    static StiffnessPair of(const StepValues<Law>& values, const Geometry<Pack>& g) {
+        Load<Pack> load;
+        Law::apply(values_of<Law, Pack>([&](int k) { return values.value[step_factor_count + k]; }),
+                   g,
+                   static_cast<const Pack*>(nullptr),
+                   static_cast<Pack*>(nullptr),
+                   load);
+        return {load.stiffness_n * values.value[0], load.stiffness_s * values.value[1]};
+    }
+};
+
+/// Contributions of a block of contacts to the sums of their particles.
+struct StepShares {
+    alignas(64) double shear[4 * width];
+    alignas(64) double normal[4 * width];
+
+    StepShares(const StiffnessPair& k, const Vec3Of<Pack>& normal_square) {
+        store_packets(k.shear * normal_square, k.shear, shear);
+        store_packets(k.normal * normal_square, Pack{}, normal);
+    }
+
+    void add_to(const StepSums& sums, Index row, Index lane) const {
+        add_packet(sums.shear, row, shear + 4 * lane);
+        if (sums.normal != nullptr) {
+            add_packet(sums.normal, row, normal + 4 * lane);
+        }
+    }
+};
+
+template <class Law>
+void add_pair_steps(const PairStepPass& pass) {
+    const ParticleView& p = pass.particles;
+    StepValues<Law> values(pass.laws);
+    for (Index first = 0; first < pass.count; first += width) {
+        const Index valid = pass.count - first < width ? pass.count - first : width;
+        Index i[width];
+        Index j[width];
+        for (Index l = 0; l < width; ++l) {
+            const Index place = pass.place[first + (l < valid ? l : valid - 1)];
+            i[l] = pass.i[place];
+            j[l] = pass.j[place];
+        }
+        const auto load_i = [&](const double* column) {
+            return load_packets(column, [&](Index l) { return i[l]; });
+        };
+        const auto load_j = [&](const double* column) {
+            return load_packets(column, [&](Index l) { return j[l]; });
+        };
+        const Packets at_i = load_i(p.position);
+        const Packets at_j = load_j(p.position);
+        Geometry<Pack> g{};
+        if constexpr (contains(Law::needs, Needs::radii)) {
+            g.area_radius = smaller(at_i.w, at_j.w);
+            g.length = at_i.w + at_j.w;
+        }
+        const Vec3Of<Pack> apart = at_j.xyz - at_i.xyz;
+        const Pack square = dot(apart, apart);
+        const Mask is_apart = Pack{} < square;
+        const Pack inverse =
+            select(is_apart, Pack(1.0) / select(is_apart, square, Pack(1.0)), Pack{});
+        if (!pass.laws.uniform) {
+            values.look_up(pass.laws, load_i(p.spin).w, load_j(p.spin).w);
+        }
+        const StepShares shares(StiffnessPair::of<Law>(values, g),
+                                {apart.x * apart.x * inverse,
+                                 apart.y * apart.y * inverse,
+                                 apart.z * apart.z * inverse});
+        for (Index l = 0; l < valid; ++l) {
+            shares.add_to(pass.sums, i[l], l);
+            shares.add_to(pass.sums, j[l], l);
+        }
+    }
+}
+
+template <class Law>
+void add_wall_steps(const WallStepPass& pass) {
+    StepValues<Law> values(pass.laws);
+    for (Index first = 0; first < pass.count; first += width) {
+        const Index valid = pass.count - first < width ? pass.count - first : width;
+        const auto place = [&](Index l) { return first + (l < valid ? l : valid - 1); };
+        const auto row = [&](Index l) { return pass.particle[place(l)]; };
+        const Vec3Of<Pack> n = load_packets(pass.geometry, place).xyz;
+        Geometry<Pack> g{};
+        if constexpr (contains(Law::needs, Needs::radii)) {
+            g.area_radius = load_packets(pass.particles.position, row).w;
+            g.length = g.area_radius;
+        }
+        if (!pass.laws.uniform) {
+            values.look_up(
+                pass.laws, load_packets(pass.particles.spin, row).w, Pack(pass.material));
+        }
+        const StepShares shares(StiffnessPair::of<Law>(values, g),
+                                {n.x * n.x, n.y * n.y, n.z * n.z});
+        for (Index l = 0; l < valid; ++l) {
+            shares.add_to(pass.sums, row(l), l);
+        }
+    }
+}
+
+inline double largest_step_ratio(const ParticleView& p, const StepSums& sums) {
+    Pack largest;
+    for (std::size_t first = 0; first < p.padded_count; first += width) {
+        const auto row = [&](Index l) { return first + l; };
+        const Packets shear = load_packets(sums.shear, row);
+        const Pack inverse_mass = load_packets(p.velocity, row).w;
+        const Pack least = smaller(shear.xyz.x, smaller(shear.xyz.y, shear.xyz.z));
+        // kappa / I with I = 2/5 m R^2 and lever R (2).
+        largest = larger(largest, Pack(2.5) * inverse_mass * (shear.w - least));
+        if (sums.normal != nullptr) {
+            const Packets normal = load_packets(sums.normal, row);
+            const Vec3Of<Pack> k{normal.xyz.x + (shear.w - shear.xyz.x),
+                                 normal.xyz.y + (shear.w - shear.xyz.y),
+                                 normal.xyz.z + (shear.w - shear.xyz.z)};
+            largest = larger(largest, inverse_mass * larger(k.x, larger(k.y, k.z)));
+        }
+    }
+    double lanes[width];
+    store(largest, lanes);
+    double result = 0.0;
+    for (const double lane : lanes) {
+        result = result < lane ? lane : result;
+    }
+    return result;
+}
+
+}  // namespace grainbench::GRAINBENCH_ISA

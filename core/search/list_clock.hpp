@@ -1,0 +1,75 @@
+/// When the lists of one kind of contacts (between particles, or with one wall) are due. There are
+/// two lists, each a part of the one before: candidates (a cell grid away) and contact objects
+/// (within the detection tolerance). Beside them the look-ahead: contacts that touch or may touch
+/// within about two steps count for the stable step (share/doc/decisions/0004).
+#pragma once
+
+#include "core/search/travel_clock.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace grainbench {
+
+/// How contact objects come and go; all lengths [m].
+struct SearchSettings {
+    double tolerance = 0.0625;  ///< [1] of a particle over its radius
+    double slack = 0.0;         ///< [m] travel that the candidate list allows beyond the tolerance
+    std::int64_t interval = 0;  ///< cycles between renewals; 0 = displacement trigger
+    bool brute_force = false;   ///< every pair is a contact object for ever (reference engine)
+};
+
+/// What is due, the most thorough first: what it names includes all that follow.
+enum class Renewal { candidates, objects, look_ahead, none };
+
+class ListClock {
+public:
+    ListClock() = default;
+
+    explicit ListClock(const SearchSettings& settings) : settings_(settings) {}
+
+    /// Adds the largest distance that any particle can have moved in a step, relative to the frame.
+    void add_travel(double bound);
+
+    /// \param shift displacement of the frame so far
+    /// \param exact whether positions may be compared (frames that do not turn)
+    Renewal due(std::uint64_t cycle,
+                const ParticleState& particles,
+                const Vec3& shift,
+                bool exact,
+                const Kernels& kernels);
+
+    /// Call after each renewal.
+    void renewed(Renewal what,
+                 std::uint64_t cycle,
+                 const ParticleState& particles,
+                 const Vec3& shift);
+
+    /// Starts a new look-ahead at the present speeds.
+    void look_ahead(double smallest_radius);
+
+    /// Travel of one particle that the present look-ahead allows [m]; 0 if there is none.
+    double horizon() const { return horizon_; }
+
+    const SearchSettings& settings() const { return settings_; }
+
+    /// True once the first lists exist.
+    bool is_started() const { return started_; }
+
+    void save(Archive& archive, const std::string& name) const;
+    void load(const Archive& archive, const std::string& name);
+
+private:
+    double object_travel(double smallest_radius) const;
+
+    SearchSettings settings_;
+    bool started_ = false;
+    std::uint64_t last_cycle_ = 0;
+    TravelClock object_clock_{true};
+    TravelClock candidate_clock_;
+    double last_travel_ = 0.0;   ///< [m] bound of the last step
+    double ahead_travel_ = 0.0;  ///< [m] since the look-ahead began
+    double horizon_ = 0.0;
+};
+
+}  // namespace grainbench
