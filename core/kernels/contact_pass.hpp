@@ -201,9 +201,15 @@ struct Block {
 };
 
 // The passes are flattened: laws and helpers are one body with them, so that a block of contacts
-// stays in registers from load to store.
+// stays in registers from load to store. Not under sanitizers, whose checks would multiply with it.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define GRAINBENCH_FLATTEN
+#else
+#define GRAINBENCH_FLATTEN [[gnu::flatten]]
+#endif
+
 template <class Laws>
-[[gnu::flatten]] void pair_pass(const PairPass& pass) {
+GRAINBENCH_FLATTEN void pair_pass(const PairPass& pass) {
     const ParticleView& p = pass.particles;
     const Pack timestep(pass.laws.timestep);
     LawValues<Laws> values(pass.laws);
@@ -298,7 +304,7 @@ template <class Laws>
 }
 
 template <class Laws>
-[[gnu::flatten]] void wall_pass(const WallPass& pass) {
+GRAINBENCH_FLATTEN void wall_pass(const WallPass& pass) {
     constexpr Index row_packets = history_packets(Laws::history_size) + 1;
     const ParticleView& p = pass.particles;
     const Pack timestep(pass.laws.timestep);

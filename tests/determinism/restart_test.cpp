@@ -6,7 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <algorithm>
+#include <span>
 
 namespace grainbench::test {
 namespace {
@@ -19,9 +20,9 @@ std::string differences(const Archive& a, const Archive& b) {
             [&, key = name](const auto& values) {
                 using Values = std::decay_t<decltype(values)>;
                 const auto& others = b.get<typename Values::value_type>(key);
-                if (values.size() != others.size() ||
-                    std::memcmp(values.data(), others.data(), values.size() * sizeof(values[0])) !=
-                        0) {
+                // Bytes, so that zeros of both signs and numbers that are none count as they are.
+                const auto bytes = std::as_bytes(std::span(values));
+                if (!std::ranges::equal(bytes, std::as_bytes(std::span(others)))) {
                     names += " " + key;
                 }
             },
