@@ -200,6 +200,23 @@ struct Block {
     }
 };
 
+/// Particles whose columns a second-level cache of a megabyte holds together with their contacts.
+inline constexpr std::size_t cached_particles = 4000;
+
+/// Asks for what a later block will read. Its partners lie in a dozen places at once, more than
+/// processors follow by themselves.
+inline void fetch_ahead(const PairPass& pass, Index first, Index row_packets) {
+    const ParticleView& p = pass.particles;
+    for (Index l = 0; l < width; ++l) {
+        const Index place = pass.touching[first + l].place();
+        const std::size_t at = 4 * std::size_t{pass.j[place]};
+        for (const double* column : {p.position, p.velocity, p.spin, p.force, p.torque}) {
+            __builtin_prefetch(column + at, 1);
+        }
+        __builtin_prefetch(pass.rows + 4 * std::size_t{row_packets} * place, 1);
+    }
+}
+
 // The passes are flattened: laws and helpers are one body with them, so that a block of contacts
 // stays in registers from load to store. Not under sanitizers, whose checks would multiply with it.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -211,10 +228,14 @@ struct Block {
 template <class Laws>
 GRAINBENCH_FLATTEN void pair_pass(const PairPass& pass) {
     const ParticleView& p = pass.particles;
+    const bool is_far = p.count > cached_particles;
     const Pack timestep(pass.laws.timestep);
     LawValues<Laws> values(pass.laws);
     for (Index first = 0; first < pass.touching_count; first += width) {
         const Block block(pass.touching + first, pass.touching_count - first);
+        if (is_far && first + 4 * width < pass.touching_count) {
+            fetch_ahead(pass, first + 3 * width, history_packets(Laws::history_size));
+        }
         Index row_i[width];
         Index row_j[width];
         for (Index l = 0; l < width; ++l) {
