@@ -145,16 +145,20 @@ void Engine::change_scheme(const Timestep& next) {
 }
 
 void Engine::step() {
+    enter(Phase::timestep);
     const double timestep = choose_timestep();
     for (WallBody& wall : walls_) {
         wall.begin_step(time_);
     }
     if (ledger_) {
+        enter(Phase::output);
         ledger_->begin_step(ledger_view(), timestep_, timestep);
     }
+    enter(Phase::integration);
     move(timestep);
     find_contacts();
     add_forces(timestep);
+    enter(Phase::output);
     if (ledger_) {
         ledger_->end_step(ledger_view(), timestep);
     }
@@ -234,12 +238,16 @@ bool Engine::few_are_loaded() const {
 }
 
 void Engine::find_contacts() {
+    enter(Phase::detection);
     Renewal renewal = pairs_.update(cycle_, particles_, bed_shift_, *kernels_);
+    enter(Phase::walls);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         renewal =
             std::min(renewal, wall_contacts_[w].update(cycle_, particles_, walls_[w], *kernels_));
     }
+    enter(Phase::detection);
     bool changed = pairs_.find_touching(particles_, *kernels_);
+    enter(Phase::walls);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         changed = wall_contacts_[w].find_touching(particles_, walls_[w], *kernels_) || changed;
     }
@@ -252,6 +260,7 @@ void Engine::update_stable_step() {
     if (!needs_stable_step()) {
         return;
     }
+    enter(Phase::timestep);
     sums_.clear(table_.rotation_rules());
     const StepSums sums = sums_.sums();
     const bool touching_only = detection_.create_on_overlap;
@@ -278,10 +287,12 @@ void Engine::scale_inertia(double step, double safety_factor) {
 }
 
 void Engine::add_forces(double timestep) {
+    enter(Phase::contacts);
     if (std::holds_alternative<ScaledTimestep>(scheme_)) {
         particles_.load_weight(scene_gravity_);
     }
     pairs_.add_forces(particles_, table_, timestep, keep_records_, *kernels_);
+    enter(Phase::walls);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         wall_contacts_[w].add_forces(
             particles_, walls_[w], table_, timestep, keep_records_, *kernels_);

@@ -7,6 +7,7 @@
 #include "core/contact/wall_contacts.hpp"
 #include "core/integrate/stable_step.hpp"
 #include "core/measure/energy_ledger.hpp"
+#include "core/phases.hpp"
 #include "core/simulation.hpp"
 
 #include <memory>
@@ -20,6 +21,9 @@ public:
 
     /// Changes what a stage changes. The first call also finds the first contacts and forces.
     void begin_stage(const Stage& stage);
+
+    /// Who is told from now on which part of a cycle begins; null = nobody.
+    void watch_phases(PhaseWatch* watch) { phase_watch_ = watch; }
 
     /// One cycle. Throws Error(unstable) when the state is no longer finite.
     void step();
@@ -77,6 +81,12 @@ private:
         return {particles_, pairs_, walls_, wall_contacts_, gravity_};
     }
 
+    void enter(Phase phase) const {
+        if (phase_watch_ != nullptr) {
+            phase_watch_->enter(phase);
+        }
+    }
+
     void change_scheme(const Timestep& next);
     double choose_timestep() const;
     void move(double timestep);
@@ -106,6 +116,7 @@ private:
     StableStep sums_;
     std::unique_ptr<EnergyLedger> ledger_;
     std::vector<InsertionReport> insertion_reports_;
+    PhaseWatch* phase_watch_ = nullptr;
 
     bool started_ = false;
     std::uint64_t cycle_ = 0;

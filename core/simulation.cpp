@@ -230,6 +230,10 @@ bool Simulation::advance(std::uint64_t cycles, Observer& observer) {
     return true;
 }
 
+void Simulation::watch_phases(PhaseWatch* watch) {
+    impl_->engine.watch_phases(watch);
+}
+
 int Simulation::index() const {
     return impl_->index;
 }

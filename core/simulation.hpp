@@ -4,6 +4,7 @@
 #include "core/archive.hpp"
 #include "core/frame.hpp"
 #include "core/insertion/insert.hpp"
+#include "core/phases.hpp"
 #include "core/scene.hpp"
 
 #include <cstdint>
@@ -68,6 +69,9 @@ public:
     /// The very first call also reports the initial state, the last one the final state.
     /// Throws Error(unstable) when a guard stops it.
     bool advance(std::uint64_t cycles, Observer& observer);
+
+    /// Who is told from now on which part of a cycle begins; null = nobody, the default.
+    void watch_phases(PhaseWatch* watch);
 
     int index() const;
     double time() const;      ///< [s]
