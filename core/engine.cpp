@@ -1,6 +1,7 @@
 #include "core/engine.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace grainbench {
@@ -19,6 +20,10 @@ std::vector<double> densities(const Scene& scene) {
 /// bed of the example (share/doc/performance.md): longer lists cost more per renewal, shorter ones
 /// age.
 constexpr double slack_per_radius = 0.25;
+
+/// [s] Step where nothing limits it, because there is no particle: walls move on, and frames come
+/// at their times.
+constexpr double unlimited_timestep = 1e-3;
 
 /// The same for walls, whose lists are short and dear to build.
 constexpr double wall_slack_per_radius = 1.0;
@@ -192,7 +197,7 @@ double Engine::choose_timestep() const {
         timestep > automatic.safety_factor * single_contact_) {
         timestep = std::min(timestep, kinematic_limit(particles_, gravity_, detection_.tolerance));
     }
-    return timestep;
+    return std::isfinite(timestep) ? timestep : unlimited_timestep;
 }
 
 void Engine::move(double timestep) {

@@ -77,6 +77,23 @@ TEST_F(RenderCommand, SaysWhatIsWrong) {
     EXPECT_THAT(torn.err, HasSubstr("particles_000000.vtu"));
 }
 
+TEST_F(RenderCommand, DrawsARunWithoutParticles) {
+    io::write_file(folder_ / "cup.json", cup_scene);
+    const auto run = folder_ / "empty";
+    const Answer ran = invoke({"run",
+                               (folder_ / "cup.json").string(),
+                               "-o",
+                               run.string(),
+                               "--set",
+                               "/particles/insertion=[]",
+                               "--set",
+                               "/traces=[]"});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    const Answer drawn = invoke({"render", run.string(), "--size", "120x90"});
+    EXPECT_EQ(drawn.code, 0) << drawn.err;
+    EXPECT_THAT(drawn.out, HasSubstr("particles_000004.png"));  // 0.2 s, a frame every 0.05 s
+}
+
 TEST_F(RenderCommand, PicturesOfARunEqualThoseDrawnLater) {
     io::write_file(folder_ / "cup.json", cup_scene);
     io::write_file(folder_ / "small.json",
