@@ -311,8 +311,9 @@ struct TraceLook {
                   "interval",
                   "s",
                   at_least(0.0),
-                  "time between the points of a tube, such as a period of shaking, of which only "
-                  "the drift is left; 0 = every recorded point")};
+                  "a tube follows the sliding mean over this time, such as some periods of "
+                  "shaking, of "
+                  "which only the drift is left; 0 = every recorded point")};
     }
 };
 

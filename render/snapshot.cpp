@@ -13,6 +13,7 @@
 #include "render/particle_view.hpp"
 #include "render/run_frames.hpp"
 #include "render/scene_view.hpp"
+#include "render/trace_view.hpp"
 
 #include <fmt/format.h>
 #include <vtkNew.h>
@@ -99,57 +100,6 @@ void add_instant(std::vector<FitSphere>& content,
             }
         }
     }
-}
-
-/// Points of a path up to a time, at least `interval` apart.
-io::TraceTable thinned(const io::TraceTable& all, double until, double interval) {
-    io::TraceTable some;
-    for (std::size_t k = 0; k < all.points.size(); ++k) {
-        const bool is_first = some.points.empty() || some.points.back().id != all.points[k].id;
-        // A sample may come a rounding early.
-        const bool is_due = is_first || all.time[k] >= some.time.back() + interval * (1.0 - 1e-3);
-        if (is_due && all.time[k] <= until * (1.0 + 1e-9)) {
-            some.time.push_back(all.time[k]);
-            some.points.push_back(all.points[k]);
-        }
-    }
-    return some;
-}
-
-/// Tubes of all realisations, their colours, and what these mean.
-struct TraceView {
-    std::vector<io::TraceTable> paths;
-    std::vector<std::vector<Colour>> colours;
-    ColourScale scale;
-};
-
-TraceView view_traces(const std::vector<io::TraceTable>& all, const TraceLook& look, double time) {
-    TraceView view;
-    std::vector<std::vector<double>> values;
-    std::vector<double> together;
-    const bool by_time = std::holds_alternative<TimeColour>(look.colour);
-    for (const io::TraceTable& path : all) {
-        view.paths.push_back(thinned(path, time, look.interval));
-        std::vector<double>& of_path = values.emplace_back();
-        for (std::size_t k = 0; k < view.paths.back().points.size(); ++k) {
-            of_path.push_back(by_time ? view.paths.back().time[k]
-                                      : norm(view.paths.back().points[k].velocity));
-        }
-        together.insert(together.end(), of_path.begin(), of_path.end());
-    }
-    std::visit([&](const auto& colour) { view.scale.map = colour.map; }, look.colour);
-    const std::optional<Range> asked =
-        std::visit([](const auto& colour) { return colour.range; }, look.colour);
-    view.scale.title = by_time ? "time [s]" : "speed of trace [m/s]";
-    view.scale.range = range_of(
-        by_time && !asked && time > 0.0 ? std::optional(Range{0.0, time}) : asked, together);
-    for (const std::vector<double>& of_path : values) {
-        std::vector<Colour>& colours = view.colours.emplace_back();
-        for (const double value : of_path) {
-            colours.push_back(map_colour(view.scale.map, fraction_in(view.scale.range, value)));
-        }
-    }
-    return view;
 }
 
 double mean_radius(const ParticleView& view) {
