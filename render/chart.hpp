@@ -42,6 +42,8 @@ struct ChartSeries {
     std::vector<double> y{};     ///< as many as x
     std::vector<double> low{};   ///< lower end of band or error bar; empty or as many as y
     std::vector<double> high{};  ///< upper end
+    /// A line or a band: heavy, undashed and without markers, so that it stands out among others.
+    bool is_heavy = false;
     /// Entry in the table of colours, dashes and markers; absent = place among the series. Give the
     /// same number to what is the same thing in several charts.
     std::optional<std::size_t> look{};

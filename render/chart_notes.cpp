@@ -8,7 +8,42 @@
 #include <vtkPen.h>
 #include <vtkTextProperty.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace grainbench::render {
+namespace {
+
+/// Whether the words beside a line cover less at its lower end.
+bool has_more_room_below(const Chart& chart, const ChartRanges& ranges, const VerticalLine& line) {
+    constexpr double near = 0.05;  // of the width of the chart
+    const auto fraction = [](const AxisRange& range, double value) {
+        return (range.place(value) - range.low) / (range.high - range.low);
+    };
+    double low = 1.0;
+    double high = 0.0;
+    for (const ChartSeries& series : chart.series) {
+        for (std::size_t k = 0; k < std::min(series.x.size(), series.y.size()); ++k) {
+            if (!(std::abs(fraction(ranges.x, series.x[k]) - fraction(ranges.x, line.x)) < near)) {
+                continue;
+            }
+            const bool has_ends = !series.low.empty();
+            low = std::min(low, fraction(ranges.y, has_ends ? series.low[k] : series.y[k]));
+            high = std::max(high, fraction(ranges.y, has_ends ? series.high[k] : series.y[k]));
+        }
+    }
+    return low > 1.0 - high;
+}
+
+float width_of(vtkContext2D* painter, vtkTextProperty* property, const std::string& text) {
+    property->SetOrientation(0.0);
+    painter->ApplyTextProp(property);
+    std::array<float, 4> box{};  // x, y, width, height
+    painter->ComputeStringBounds(text.c_str(), box.data());
+    return box[2];
+}
+
+}  // namespace
 
 vtkStandardNewMacro(NotesPlot)
 
@@ -17,6 +52,10 @@ vtkStandardNewMacro(NotesPlot)
                              int font_size,
                              float size) {
     chart_.vertical_lines = chart.vertical_lines;
+    is_below_.clear();
+    for (const VerticalLine& line : chart.vertical_lines) {
+        is_below_.push_back(has_more_room_below(chart, ranges, line));
+    }
     chart_.texts = chart.texts;
     ranges_ = ranges;
     font_size_ = font_size;
@@ -31,7 +70,8 @@ bool NotesPlot::Paint(vtkContext2D* painter) {
     text->SetColor(0.2, 0.2, 0.2);
     text->SetFontFamilyToArial();
     const float gap = 5.0F * size_;
-    for (const VerticalLine& line : chart_.vertical_lines) {
+    for (std::size_t k = 0; k < chart_.vertical_lines.size(); ++k) {
+        const VerticalLine& line = chart_.vertical_lines[k];
         const double place = ranges_.x.place(line.x);
         if (!(place >= ranges_.x.low && place <= ranges_.x.high)) {
             continue;
@@ -43,9 +83,11 @@ bool NotesPlot::Paint(vtkContext2D* painter) {
         painter->GetPen()->SetWidth(1.5F * size_);
         painter->GetPen()->SetColor(90, 90, 90, 255);
         draw_segment(painter, {x, bottom}, {x, top});
+        const float end =
+            is_below_[k] ? bottom + gap + width_of(painter, text, line.text) : top - gap;
         text->SetOrientation(90.0);
         text->SetJustificationToRight();
-        paint_text(painter, text, {x - gap, top - gap}, line.text);
+        paint_text(painter, text, {x - gap, end}, line.text);
     }
     text->SetOrientation(0.0);
     text->SetJustificationToLeft();

@@ -42,6 +42,7 @@ private:
 
     Chart chart_;
     ChartRanges ranges_;
+    std::vector<bool> is_below_;  ///< where the words of each vertical line stand
     int font_size_ = 12;
     float size_ = 1.0F;
 };

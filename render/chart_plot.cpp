@@ -13,6 +13,7 @@ namespace grainbench::render {
 namespace {
 
 constexpr float line_width = 2.5F;
+constexpr float heavy_width = 5.0F;
 constexpr float marker_radius = 6.5F;
 constexpr unsigned char band_opacity = 60;  // of 255: two bands and a grid stay visible together
 
@@ -79,6 +80,9 @@ bool SeriesPlot::PaintLegend(vtkContext2D* painter, const vtkRectf& rect, int /*
     if (series_.kind != SeriesKind::points) {
         use_line(painter, true);
         draw_segment(painter, {left, middle}, {right, middle});
+    }
+    if (series_.is_heavy) {
+        return true;
     }
     paint_markers(painter, {{0.5F * (left + right), middle}});
     return true;
@@ -167,8 +171,9 @@ std::vector<std::vector<Pixel>> SeriesPlot::strokes() const {
 }
 
 void SeriesPlot::use_line(vtkContext2D* painter, bool is_dashed) const {
-    painter->GetPen()->SetLineType(is_dashed ? look_.dash : static_cast<int>(vtkPen::SOLID_LINE));
-    painter->GetPen()->SetWidth(line_width * setting_.size);
+    painter->GetPen()->SetLineType(
+        is_dashed && !series_.is_heavy ? look_.dash : static_cast<int>(vtkPen::SOLID_LINE));
+    painter->GetPen()->SetWidth((series_.is_heavy ? heavy_width : line_width) * setting_.size);
     painter->GetPen()->SetColor(look_.colour[0], look_.colour[1], look_.colour[2], 255);
 }
 
@@ -203,7 +208,7 @@ void SeriesPlot::paint_line(vtkContext2D* painter) const {
     for (const std::vector<Pixel>& stroke : strokes()) {
         use_line(painter, true);
         draw_line(painter, stroke);
-        if (!setting_.is_alone) {
+        if (!setting_.is_alone && !series_.is_heavy) {
             paint_markers(painter, spread(stroke, spacing * setting_.size, offset * setting_.size));
         }
     }

@@ -162,6 +162,7 @@ private:
                             .kind = SeriesKind::line,
                             .x = series[k].time,
                             .y = series[k].value,
+                            .is_heavy = curve.heavy,
                             .look = look + k});
             }
             return;
@@ -171,6 +172,7 @@ private:
                            .kind = curve.show == Show::band ? SeriesKind::band : SeriesKind::line,
                            .x = mean.time,
                            .y = mean.mean,
+                           .is_heavy = curve.heavy,
                            .look = look};
         for (std::size_t k = 0; k < mean.time.size() && curve.show == Show::band; ++k) {
             result.low.push_back(mean.mean[k] - mean.deviation[k]);

@@ -75,6 +75,7 @@ struct HistoryCurve {
     std::optional<double> until;
     std::string name;
     std::optional<std::int64_t> look;
+    bool heavy = false;
 
     static constexpr auto fields() {
         return std::tuple{
@@ -107,7 +108,12 @@ struct HistoryCurve {
                   "look",
                   "1",
                   at_least(0),
-                  "entry in the table of colours and dashes; absent = that of the run")};
+                  "entry in the table of colours and dashes; absent = that of the run"),
+            field(&HistoryCurve::heavy,
+                  "heavy",
+                  "",
+                  any_number(),
+                  "a heavy line without dashes and markers, to stand out among others")};
     }
 };
 
