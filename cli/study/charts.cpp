@@ -138,16 +138,15 @@ Chart cost_chart(const StudyResult& result) {
 Chart growth_chart(const StudyResult& result) {
     Chart chart;
     chart.title = result.plan.study.title;
-    chart.x = {.label = "realisations", .scale = render::AxisScale::logarithmic};
+    const auto most = static_cast<double>(result.plan.study.realisations);
+    chart.x = {.label = "realisations", .low = 0.0, .high = 1.05 * most};
     chart.y = {.label = "half width of the 95 % interval of the deviation",
                .unit = result.quantity.unit,
-               .scale = render::AxisScale::logarithmic};
+               .low = 0.0};
     for (std::size_t k = 0; k < result.variants.size(); ++k) {
-        ChartSeries series{.name = result.variants[k].name, .look = k};
+        ChartSeries series{
+            .name = result.variants[k].name, .kind = render::SeriesKind::points, .look = k};
         for (const GrowthStep& step : result.variants[k].growth) {
-            if (!(step.half_width > 0.0)) {
-                continue;  // equal to the last bit; nothing to show on a logarithmic axis
-            }
             series.x.push_back(static_cast<double>(step.realisations));
             series.y.push_back(result.quantity.scale * step.half_width);
         }
