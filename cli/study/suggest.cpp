@@ -185,8 +185,9 @@ io::Study suggested_study(const std::filesystem::path& scene_file) {
         study.observable = io::ElevationCurve{.points = 10};
         study.margin = extent.smallest_radius;
     } else {
+        constexpr int bins = 40;  // so that what has fallen to the ground still fills some of them
         study.observable = io::FinalProfile{
-            .axis = io::ProfileAxis::z, .low = extent.low, .high = extent.high, .bins = 5};
+            .axis = io::ProfileAxis::z, .low = extent.low, .high = extent.high, .bins = bins};
         study.margin = 0.02;
     }
     study.description = fmt::format(
