@@ -8,15 +8,6 @@ namespace grainbench {
 
 namespace {
 
-/// Calls visit with the law set of a combination known only at run time.
-template <class Visit>
-void with_law_set(std::size_t combination, Visit&& visit) {
-    [&]<std::size_t... C>(std::index_sequence<C...>) {
-        ((C == combination ? visit(LawSetOf<C>{}) : void()), ...);
-    }
-    (std::make_index_sequence<combination_count()>{});
-}
-
 /// Values of one law, by its parameters.
 template <class Params>
 std::array<double, 8> resolved(const Params& params) {
@@ -66,11 +57,7 @@ ContactTable::ContactTable(const Contact& contact, const Materials& materials)
               contact.friction ? 1 + contact.friction->index() : 0,
               contact.damping ? 1 + contact.damping->index() : 0},
       materials_(materials.count()) {
-    int value_count = 0;
-    with_law_set(combination(), [&]<class Laws>(Laws) {
-        value_count = Laws::value_count;
-        history_size_ = Laws::history_size;
-    });
+    const int value_count = layout_of(choice_).value_count;
     const std::size_t pairs = static_cast<std::size_t>(materials_) * materials_;
     values_.assign(pairs * static_cast<std::size_t>(value_count + step_factor_count), 0.0);
     damping_.assign(2 * pairs, 0.0);
@@ -145,24 +132,13 @@ void ContactTable::resolve_pair(const Contact& contact,
 }
 
 std::vector<int> history_sources(const ContactTable& before, const ContactTable& next) {
-    // First column and width of each slot's history, -1 where it keeps none.
-    const auto places = [](const ContactTable& table) {
-        std::array<std::pair<int, int>, slot_count> result{};
-        with_law_set(table.combination(), [&]<class Laws>(Laws) {
-            std::size_t slot = 0;
-            Laws::for_each([&]<class Law, int first_value, int first_history>() {
-                result[slot++] = {first_history, Law::history_size};
-            });
-        });
-        return result;
-    };
-    const auto old_places = places(before);
-    const auto new_places = places(next);
+    const LawLayout old_layout = layout_of(before.choice_);
+    const LawLayout new_layout = layout_of(next.choice_);
     std::vector<int> sources;
     for (std::size_t slot = 0; slot < slot_count; ++slot) {
         const bool same = before.choice_[slot] == next.choice_[slot];
-        for (int h = 0; h < new_places[slot].second; ++h) {
-            sources.push_back(same ? old_places[slot].first + h : -1);
+        for (int h = 0; h < new_layout.history_sizes[slot]; ++h) {
+            sources.push_back(same ? old_layout.first_history[slot] + h : -1);
         }
     }
     return sources;
@@ -173,7 +149,9 @@ LawView ContactTable::view(double timestep) const {
             static_cast<Index>(materials_ * materials_),
             materials_,
             uniform_,
-            timestep};
+            timestep,
+            choice_,
+            pass_of(choice_)};
 }
 
 ContactStiffness ContactTable::stiffness(Index material_i,

@@ -47,9 +47,9 @@ public:
     ContactTable() = default;
     ContactTable(const Contact& contact, const Materials& materials);
 
-    std::size_t combination() const { return combination_index(choice_); }
+    const LawChoice& choice() const { return choice_; }
 
-    int history_size() const { return history_size_; }
+    int history_size() const { return layout_of(choice_).history_size; }
 
     bool has_friction() const { return choice_[2] != 0; }
 
@@ -94,7 +94,6 @@ private:
     void put(Index a, Index b, int value, double x);
 
     LawChoice choice_{};
-    int history_size_ = 0;
     Index materials_ = 0;
     std::vector<double> values_;
     std::vector<double> damping_;      ///< [1] two per pair: beta_n, beta_s

@@ -95,8 +95,7 @@ void PairContacts::add_forces(ParticleState& particles,
     if (records) {
         records_.resize(touching().size() * record_size);
     }
-    kernels.pair_pass(table.combination(),
-                      {.particles = particles.view(),
+    kernels.pair_pass({.particles = particles.view(),
                        .laws = table.view(timestep),
                        .i = objects().i.data(),
                        .j = objects().j.data(),
@@ -124,8 +123,7 @@ void PairContacts::add_steps(ParticleState& particles,
         const double extra = clock_.settings().brute_force ? 1e300 : 2.0 * clock_.horizon();
         count = kernels.find_pairs(query(particles, list, 1.0, extra), found_.data());
     }
-    kernels.add_pair_steps(table.combination(),
-                           {.particles = particles.view(),
+    kernels.add_pair_steps({.particles = particles.view(),
                             .laws = table.view(0.0),
                             .i = list.i.data(),
                             .j = list.j.data(),

@@ -284,8 +284,7 @@ void WallContacts::add_forces(ParticleState& particles,
     force_.resize(4 * std::size_t{count});
     const WallVelocity& velocity = wall.velocity();
     const Vec3& centre = wall.rotation_centre();
-    kernels.wall_pass(table.combination(),
-                      {.particles = particles.view(),
+    kernels.wall_pass({.particles = particles.view(),
                        .laws = table.view(timestep),
                        .particle = objects_.list().i.data(),
                        .touching = objects_.touching().data(),
@@ -322,8 +321,7 @@ void WallContacts::add_steps(ParticleState& particles,
         step_geometry_.insert(step_geometry_.end(),
                               {hit.normal.x, hit.normal.y, hit.normal.z, hit.distance});
     }
-    kernels.add_wall_steps(table.combination(),
-                           {.particles = particles.view(),
+    kernels.add_wall_steps({.particles = particles.view(),
                             .laws = table.view(0.0),
                             .particle = step_particle_.data(),
                             .geometry = step_geometry_.data(),

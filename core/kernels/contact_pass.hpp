@@ -10,19 +10,19 @@
 
 namespace grainbench::GRAINBENCH_ISA {
 
-/// Values of laws for a block of contacts: the first `count` columns of the table after the step
-/// factors. Where all pairs of materials are alike they are spread over the lanes once per pass.
-template <int first, int count>
+/// Values of laws for a block of contacts: columns of the table, from `first` on. Where all pairs
+/// of materials are alike they are spread over the lanes once per pass.
+template <int capacity>
 struct BlockValues {
-    Pack value[count + 1];
+    Pack value[capacity + 1];
 
-    explicit BlockValues(const LawView& view) {
+    BlockValues(const LawView& view, int first, int count) {
         for (int k = 0; k < count; ++k) {
             value[k] = Pack(view.values[static_cast<std::size_t>(first + k) * view.value_stride]);
         }
     }
 
-    void look_up(const LawView& view, Pack material_i, Pack material_j) {
+    void look_up(const LawView& view, int first, int count, Pack material_i, Pack material_j) {
         const Pack row = material_i * Pack(static_cast<double>(view.material_count)) + material_j;
         for (int k = 0; k < count; ++k) {
             const auto column = static_cast<std::size_t>(first + k) * view.value_stride;
@@ -32,7 +32,15 @@ struct BlockValues {
 };
 
 template <class Laws>
-using LawValues = BlockValues<step_factor_count, Laws::value_count>;
+struct LawValues : BlockValues<Laws::most_values> {
+    LawValues(const Laws& laws, const LawView& view)
+        : BlockValues<Laws::most_values>(view, step_factor_count, laws.value_count()) {}
+
+    void look_up(const Laws& laws, const LawView& view, Pack material_i, Pack material_j) {
+        BlockValues<Laws::most_values>::look_up(
+            view, step_factor_count, laws.value_count(), material_i, material_j);
+    }
+};
 
 /// Motion of the bodies of a block of contacts.
 struct Bodies {
@@ -45,21 +53,21 @@ struct Bodies {
 
 /// Fills the parts of the geometry that the laws need.
 template <class Laws>
-void complete_geometry(const Bodies& b, Pack timestep, Geometry<Pack>& g) {
+void complete_geometry(const Laws& laws, const Bodies& b, Pack timestep, Geometry<Pack>& g) {
     g.timestep = timestep;
-    if constexpr (contains(Laws::needs, Needs::effective_mass)) {
+    if (laws.need(Needs::effective_mass)) {
         g.effective_mass = Pack(1.0) / (b.inverse_mass_i + b.inverse_mass_j);
     }
-    if constexpr (contains(Laws::needs, Needs::velocity)) {
+    if (laws.need(Needs::velocity)) {
         Vec3Of<Pack> relative = b.velocity_j - b.velocity_i;
         g.opening_speed = dot(relative, g.normal);
-        if constexpr (contains(Laws::needs, Needs::spin)) {
+        if (laws.need(Needs::spin)) {
             relative -= cross(b.lever_i * b.spin_i + b.lever_j * b.spin_j, g.normal);
             g.sliding_velocity = relative - dot(relative, g.normal) * g.normal;
             g.mean_spin = Pack(0.5) * dot(b.spin_i + b.spin_j, g.normal);
         }
     }
-    if constexpr (contains(Laws::needs, Needs::entry)) {
+    if (laws.need(Needs::entry)) {
         g.entry = Pack(1.0);
         if (b.new_bits != 0) {
             const Pack approach = absolute(g.opening_speed * timestep);
@@ -70,15 +78,16 @@ void complete_geometry(const Bodies& b, Pack timestep, Geometry<Pack>& g) {
     }
 }
 
-/// Folds the laws over a block. history_in and history_out hold Laws::history_size packs.
+/// Folds the laws over a block. history_in and history_out hold laws.history_size() packs.
 template <class Laws>
-Load<Pack> apply_laws(const LawValues<Laws>& values,
+Load<Pack> apply_laws(const Laws& laws,
+                      const LawValues<Laws>& values,
                       const Geometry<Pack>& g,
                       const Pack* history_in,
                       Pack* history_out) {
     Load<Pack> load;
     load.slipping = Mask::all();
-    Laws::for_each([&]<class Law, int first_value, int first_history>() {
+    laws.for_each([&]<class Law>(auto first_value, auto first_history) {
         Law::apply(values_of<Law, Pack>([&](int k) { return values.value[first_value + k]; }),
                    g,
                    history_in + first_history,
@@ -89,11 +98,12 @@ Load<Pack> apply_laws(const LawValues<Laws>& values,
 }
 
 template <class Laws>
-void add_energies(const LawValues<Laws>& values,
+void add_energies(const Laws& laws,
+                  const LawValues<Laws>& values,
                   const Geometry<Pack>& g,
                   const Pack* history_in,
                   Load<Pack>& load) {
-    Laws::for_each([&]<class Law, int first_value, int first_history>() {
+    laws.for_each([&]<class Law>(auto first_value, auto first_history) {
         add_energies_of<Law>(
             values_of<Law, Pack>([&](int k) { return values.value[first_value + k]; }),
             g,
@@ -104,9 +114,9 @@ void add_energies(const LawValues<Laws>& values,
 
 /// Total force on j.
 template <class Laws>
-Vec3Of<Pack> force_on_j(const Load<Pack>& load, const Geometry<Pack>& g) {
+Vec3Of<Pack> force_on_j(const Laws& laws, const Load<Pack>& load, const Geometry<Pack>& g) {
     Vec3Of<Pack> force = (load.normal + load.normal_damping) * g.normal;
-    if constexpr (contains(Laws::needs, Needs::spin)) {
+    if (laws.need(Needs::spin)) {
         force += load.shear + load.shear_damping;
     }
     return force;
@@ -153,14 +163,13 @@ inline void subtract_packet(double* column, Index row, const double* packet) {
     (Packet(to) - Packet(packet)).store(to);
 }
 
-/// History of the contacts of a block. Rows of `row_packets` packets begin with it.
-template <int size, Index row_packets>
+/// History of the contacts of a block: the first `packets` packets of rows of `row_packets`.
+template <int capacity>
 struct BlockHistory {
-    static constexpr Index packets = history_packets(size);
-    Pack in[4 * packets + 1];
-    Pack out[4 * packets + 1];
+    Pack in[4 * history_packets(capacity) + 1];
+    Pack out[4 * history_packets(capacity) + 1];
 
-    void load(const double* rows, const Index* place) {
+    void load(const double* rows, const Index* place, Index packets, Index row_packets) {
         for (Index n = 0; n < packets; ++n) {
             const Packets four =
                 load_packets(rows, [&](Index l) { return row_packets * place[l] + n; });
@@ -171,7 +180,8 @@ struct BlockHistory {
         }
     }
 
-    void store(double* rows, const Index* place, Index valid) const {
+    void store(
+        double* rows, const Index* place, Index valid, Index packets, Index row_packets) const {
         alignas(64) double lanes[4 * width];
         for (Index n = 0; n < packets; ++n) {
             store_packets({out[4 * n], out[4 * n + 1], out[4 * n + 2]}, out[4 * n + 3], lanes);
@@ -227,14 +237,16 @@ inline void fetch_ahead(const PairPass& pass, Index first, Index row_packets) {
 
 template <class Laws>
 GRAINBENCH_FLATTEN void pair_pass(const PairPass& pass) {
+    const Laws laws(pass.laws.choice);
+    const Index packets = history_packets(laws.history_size());
     const ParticleView& p = pass.particles;
     const bool is_far = p.count > cached_particles;
     const Pack timestep(pass.laws.timestep);
-    LawValues<Laws> values(pass.laws);
+    LawValues<Laws> values(laws, pass.laws);
     for (Index first = 0; first < pass.touching_count; first += width) {
         const Block block(pass.touching + first, pass.touching_count - first);
         if (is_far && first + 4 * width < pass.touching_count) {
-            fetch_ahead(pass, first + 3 * width, history_packets(Laws::history_size));
+            fetch_ahead(pass, first + 3 * width, packets);
         }
         Index row_i[width];
         Index row_j[width];
@@ -264,12 +276,11 @@ GRAINBENCH_FLATTEN void pair_pass(const PairPass& pass) {
         b.lever_i = at_i.w - Pack(0.5) * g.overlap;
         b.lever_j = at_j.w - Pack(0.5) * g.overlap;
         b.new_bits = block.new_bits;
-        if constexpr (contains(Laws::needs, Needs::radii)) {
+        if (laws.need(Needs::radii)) {
             g.area_radius = smaller(at_i.w, at_j.w);
             g.length = at_i.w + at_j.w;
         }
-        if constexpr (contains(Laws::needs, Needs::velocity) ||
-                      contains(Laws::needs, Needs::effective_mass)) {
+        if (laws.need(Needs::velocity) || laws.need(Needs::effective_mass)) {
             const Packets motion_i = load_i(p.velocity);
             const Packets motion_j = load_j(p.velocity);
             b.velocity_i = motion_i.xyz;
@@ -277,21 +288,21 @@ GRAINBENCH_FLATTEN void pair_pass(const PairPass& pass) {
             b.inverse_mass_i = motion_i.w;
             b.inverse_mass_j = motion_j.w;
         }
-        if constexpr (contains(Laws::needs, Needs::spin)) {
+        if (laws.need(Needs::spin)) {
             b.spin_i = load_i(p.spin).xyz;
             b.spin_j = load_j(p.spin).xyz;
         }
         if (!pass.laws.uniform) {
-            values.look_up(pass.laws, load_i(p.spin).w, load_j(p.spin).w);
+            values.look_up(laws, pass.laws, load_i(p.spin).w, load_j(p.spin).w);
         }
-        complete_geometry<Laws>(b, timestep, g);
+        complete_geometry(laws, b, timestep, g);
 
-        BlockHistory<Laws::history_size, history_packets(Laws::history_size)> history;
-        history.load(pass.rows, block.place);
-        Load<Pack> load = apply_laws<Laws>(values, g, history.in, history.out);
-        history.store(pass.rows, block.place, block.valid);
+        BlockHistory<Laws::most_history> history;
+        history.load(pass.rows, block.place, packets, packets);
+        Load<Pack> load = apply_laws(laws, values, g, history.in, history.out);
+        history.store(pass.rows, block.place, block.valid, packets, packets);
         if (pass.records != nullptr) {
-            add_energies<Laws>(values, g, history.in, load);
+            add_energies(laws, values, g, history.in, load);
             keep_records(load,
                          g,
                          b,
@@ -299,11 +310,11 @@ GRAINBENCH_FLATTEN void pair_pass(const PairPass& pass) {
                          pass.records + static_cast<std::size_t>(first) * record_size);
         }
 
-        const Vec3Of<Pack> force = force_on_j<Laws>(load, g);
+        const Vec3Of<Pack> force = force_on_j(laws, load, g);
         alignas(64) double forces[4 * width];
         store_packets(force, Pack{}, forces);
         // Lane by lane, so that sums are in the order of the contacts whatever the width.
-        if constexpr (contains(Laws::needs, Needs::spin)) {
+        if (laws.need(Needs::spin)) {
             // Contact point and force give -r_i n x F on i and -r_j n x F on j.
             const Vec3Of<Pack> turning = cross(g.normal, force);
             alignas(64) double torques_i[4 * width];
@@ -326,7 +337,9 @@ GRAINBENCH_FLATTEN void pair_pass(const PairPass& pass) {
 
 template <class Laws>
 GRAINBENCH_FLATTEN void wall_pass(const WallPass& pass) {
-    constexpr Index row_packets = history_packets(Laws::history_size) + 1;
+    const Laws laws(pass.laws.choice);
+    const Index packets = history_packets(laws.history_size());
+    const Index row_packets = packets + 1;
     const ParticleView& p = pass.particles;
     const Pack timestep(pass.laws.timestep);
     const auto spread = [](const double(&v)[3]) {
@@ -335,7 +348,7 @@ GRAINBENCH_FLATTEN void wall_pass(const WallPass& pass) {
     const Vec3Of<Pack> wall_velocity = spread(pass.velocity);
     const Vec3Of<Pack> wall_spin = spread(pass.spin);
     const Vec3Of<Pack> centre = spread(pass.centre);
-    LawValues<Laws> values(pass.laws);
+    LawValues<Laws> values(laws, pass.laws);
     for (Index first = 0; first < pass.touching_count; first += width) {
         const Block block(pass.touching + first, pass.touching_count - first);
         Index row[width];
@@ -356,12 +369,11 @@ GRAINBENCH_FLATTEN void wall_pass(const WallPass& pass) {
         b.lever_i = at_i.w - Pack(0.5) * g.overlap;
         b.lever_j = Pack{};  // the wall's spin is already in its velocity at the contact
         b.new_bits = block.new_bits;
-        if constexpr (contains(Laws::needs, Needs::radii)) {
+        if (laws.need(Needs::radii)) {
             g.area_radius = at_i.w;
             g.length = at_i.w;
         }
-        if constexpr (contains(Laws::needs, Needs::velocity) ||
-                      contains(Laws::needs, Needs::effective_mass)) {
+        if (laws.need(Needs::velocity) || laws.need(Needs::effective_mass)) {
             const Packets motion = load_i(p.velocity);
             b.velocity_i = motion.xyz;
             b.inverse_mass_i = motion.w;
@@ -370,21 +382,21 @@ GRAINBENCH_FLATTEN void wall_pass(const WallPass& pass) {
             const Vec3Of<Pack> arm = at_i.xyz + b.lever_i * g.normal - centre;
             b.velocity_j = wall_velocity + cross(wall_spin, arm);
         }
-        if constexpr (contains(Laws::needs, Needs::spin)) {
+        if (laws.need(Needs::spin)) {
             b.spin_i = load_i(p.spin).xyz;
             b.spin_j = dot(wall_spin, g.normal) * g.normal;
         }
         if (!pass.laws.uniform) {
-            values.look_up(pass.laws, load_i(p.spin).w, Pack(pass.material));
+            values.look_up(laws, pass.laws, load_i(p.spin).w, Pack(pass.material));
         }
-        complete_geometry<Laws>(b, timestep, g);
+        complete_geometry(laws, b, timestep, g);
 
-        BlockHistory<Laws::history_size, row_packets> history;
-        history.load(pass.rows, block.place);
-        Load<Pack> load = apply_laws<Laws>(values, g, history.in, history.out);
-        history.store(pass.rows, block.place, block.valid);
+        BlockHistory<Laws::most_history> history;
+        history.load(pass.rows, block.place, packets, row_packets);
+        Load<Pack> load = apply_laws(laws, values, g, history.in, history.out);
+        history.store(pass.rows, block.place, block.valid, packets, row_packets);
         if (pass.records != nullptr) {
-            add_energies<Laws>(values, g, history.in, load);
+            add_energies(laws, values, g, history.in, load);
             keep_records(load,
                          g,
                          b,
@@ -392,7 +404,7 @@ GRAINBENCH_FLATTEN void wall_pass(const WallPass& pass) {
                          pass.records + static_cast<std::size_t>(first) * record_size);
         }
 
-        const Vec3Of<Pack> force = force_on_j<Laws>(load, g);
+        const Vec3Of<Pack> force = force_on_j(laws, load, g);
         alignas(64) double forces[4 * width];
         store_packets(force, Pack{}, forces);
         for (Index l = 0; l < block.valid; ++l) {
@@ -400,7 +412,7 @@ GRAINBENCH_FLATTEN void wall_pass(const WallPass& pass) {
             subtract_packet(p.force, row[l], forces + 4 * l);
             p.loaded[row[l]] = 1;
         }
-        if constexpr (contains(Laws::needs, Needs::spin)) {
+        if (laws.need(Needs::spin)) {
             store_packets(b.lever_i * cross(g.normal, force), Pack{}, forces);
             for (Index l = 0; l < block.valid; ++l) {
                 subtract_packet(p.torque, row[l], forces + 4 * l);

@@ -2,6 +2,7 @@
 /// Everything that a pass touches is in its view; the files that implement them know no containers.
 #pragma once
 
+#include "core/contact/law_table.hpp"
 #include "core/types.hpp"
 
 #include <cstdint>
@@ -131,8 +132,10 @@ struct LawView {
     const double* values;  ///< column per value, one row per pair of materials
     Index value_stride;    ///< rows of a column
     Index material_count;
-    bool uniform;     ///< all rows are alike
-    double timestep;  ///< [s]
+    bool uniform;      ///< all rows are alike
+    double timestep;   ///< [s]
+    LawChoice choice;  ///< the laws
+    std::size_t pass;  ///< the pass for them; the general one will do for all
 };
 
 /// A touching contact by its place in a list, and whether this is its first step.
@@ -228,11 +231,10 @@ struct Kernels {
     void (*test_pairs)(const PairQuery&, std::uint64_t* within);
     void (*test_patches)(const PatchQuery&, const PatchAnswers&);
 
-    /// By combination of laws (contact/law_table.hpp).
-    void (*pair_pass)(std::size_t combination, const PairPass&);
-    void (*wall_pass)(std::size_t combination, const WallPass&);
-    void (*add_pair_steps)(std::size_t combination, const PairStepPass&);
-    void (*add_wall_steps)(std::size_t combination, const WallStepPass&);
+    void (*pair_pass)(const PairPass&);
+    void (*wall_pass)(const WallPass&);
+    void (*add_pair_steps)(const PairStepPass&);
+    void (*add_wall_steps)(const WallStepPass&);
 
     /// Largest of k/m and kappa/I over all particles and axes [1/s^2]; 0 without contacts.
     double (*largest_step_ratio)(const ParticleView&, const StepSums&);

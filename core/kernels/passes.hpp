@@ -11,45 +11,42 @@
 
 namespace grainbench::GRAINBENCH_ISA {
 
-/// Calls the instance of a pass for one of all combinations of laws; `instance` gives it as
-/// instance.template operator()<Laws>().
-template <class Instance, std::size_t... C>
-auto instance_for(std::size_t combination, const Instance& instance, std::index_sequence<C...>) {
-    using Function = decltype(instance.template operator()<LawSetOf<0>>());
-    static constexpr Function table[] = {Instance().template operator()<LawSetOf<C>>()...};
-    return table[combination];
-}
-
-template <class Instance>
-auto instance_for(std::size_t combination, const Instance& instance) {
-    return instance_for(combination, instance, std::make_index_sequence<combination_count()>{});
-}
-
-inline void choose_pair_pass(std::size_t combination, const PairPass& pass) {
-    instance_for(combination, []<class Laws>() { return &pair_pass<Laws>; })(pass);
-}
-
-inline void choose_wall_pass(std::size_t combination, const WallPass& pass) {
-    instance_for(combination, []<class Laws>() { return &wall_pass<Laws>; })(pass);
-}
-
-/// Calls act.template operator()<Law>() with the stiffness law of a combination.
+/// Calls act.template operator()<Laws>() with the laws of a pass.
 template <class Act>
-void with_stiffness_law(std::size_t combination, const Act& act) {
-    using Laws = std::tuple_element_t<0, LawSlots>;
-    const std::size_t choice = choice_of(combination)[0];
-    [&]<std::size_t... L>(std::index_sequence<L...>) {
-        ((choice == L ? act.template operator()<std::tuple_element_t<L, Laws>>() : void()), ...);
+void with_laws(std::size_t pass, const Act& act) {
+    [&]<std::size_t... P>(std::index_sequence<P...>) {
+        using Call = void (*)(const Act&);
+        static constexpr Call table[] = {
+            [](const Act& one) { one.template operator()<OwnLaws<P>>(); }...,
+            [](const Act& one) { one.template operator()<AnyLaws>(); }};
+        table[pass](act);
     }
-    (std::make_index_sequence<std::tuple_size_v<Laws>>{});
+    (std::make_index_sequence<general_pass>{});
 }
 
-inline void choose_pair_steps(std::size_t combination, const PairStepPass& pass) {
-    with_stiffness_law(combination, [&]<class Law>() { add_pair_steps<Law>(pass); });
+inline void choose_pair_pass(const PairPass& pass) {
+    with_laws(pass.laws.pass, [&]<class Laws>() { pair_pass<Laws>(pass); });
 }
 
-inline void choose_wall_steps(std::size_t combination, const WallStepPass& pass) {
-    with_stiffness_law(combination, [&]<class Law>() { add_wall_steps<Law>(pass); });
+inline void choose_wall_pass(const WallPass& pass) {
+    with_laws(pass.laws.pass, [&]<class Laws>() { wall_pass<Laws>(pass); });
+}
+
+/// Calls act.template operator()<Law>() with the stiffness law, which fills the first slot.
+template <class Act>
+void with_stiffness_law(const LawChoice& choice, const Act& act) {
+    [&]<std::size_t... L>(std::index_sequence<L...>) {
+        ((choice[0] == L ? act.template operator()<LawAt<0, L>>() : void()), ...);
+    }
+    (std::make_index_sequence<slot_sizes[0]>{});
+}
+
+inline void choose_pair_steps(const PairStepPass& pass) {
+    with_stiffness_law(pass.laws.choice, [&]<class Law>() { add_pair_steps<Law>(pass); });
+}
+
+inline void choose_wall_steps(const WallStepPass& pass) {
+    with_stiffness_law(pass.laws.choice, [&]<class Law>() { add_wall_steps<Law>(pass); });
 }
 
 constexpr Kernels make_kernels(std::string_view isa) {

@@ -8,7 +8,15 @@ namespace grainbench::GRAINBENCH_ISA {
 
 /// The step factors and the values of a stiffness law, which fills the first slot.
 template <class Law>
-using StepValues = BlockValues<0, step_factor_count + Law::value_count>;
+struct StepValues : BlockValues<step_factor_count + Law::value_count> {
+    static constexpr int count = step_factor_count + Law::value_count;
+
+    explicit StepValues(const LawView& view) : BlockValues<count>(view, 0, count) {}
+
+    void look_up(const LawView& view, Pack material_i, Pack material_j) {
+        BlockValues<count>::look_up(view, 0, count, material_i, material_j);
+    }
+};
 
 /// Normal and shear stiffness of a block of contacts that count for the stable step [N/m]:
 /// ContactTable::step_stiffness in lanes.

@@ -1,5 +1,6 @@
 /// Every instruction set of this processor gives the bits of the one-lane passes, for every number
-/// of contacts that can fill a block in part or whole.
+/// of contacts that can fill a block in part or whole; and the general pass gives those of the
+/// passes that have their laws compiled in.
 #include "core/kernels/kernels.hpp"
 
 #include "tests/equivalence/random_contacts.hpp"
@@ -235,7 +236,20 @@ Column<double> random_rows(std::size_t count, Index packets, std::mt19937_64& ra
     return rows;
 }
 
-Bytes pair_forces(const Kernels& kernels, std::size_t combination, bool records, Index touching) {
+/// Laws of a table for the pass that the engine would take, or for the general one.
+LawView laws_of(const ContactTable& table, bool general) {
+    LawView laws = table.view(1.7e-5);
+    if (general) {
+        laws.pass = general_pass;
+    }
+    return laws;
+}
+
+Bytes pair_forces(const Kernels& kernels,
+                  std::size_t combination,
+                  bool records,
+                  Index touching,
+                  bool general = false) {
     const std::uint64_t seed = 100 * combination + touching;
     RandomParticles p(particle_count, seed);
     RandomPairs pairs(particle_count, touching, seed);
@@ -244,9 +258,8 @@ Bytes pair_forces(const Kernels& kernels, std::size_t combination, bool records,
     Column<double> rows =
         random_rows(pairs.i.size(), history_packets(table.history_size()), random);
     Column<double> record(static_cast<std::size_t>(touching) * record_size);
-    kernels.pair_pass(combination,
-                      {.particles = p.view(),
-                       .laws = table.view(1.7e-5),
+    kernels.pair_pass({.particles = p.view(),
+                       .laws = laws_of(table, general),
                        .i = pairs.i.data(),
                        .j = pairs.j.data(),
                        .touching = pairs.touching.data(),
@@ -270,7 +283,11 @@ TEST(InstructionSets, GiveTheSameForcesBetweenParticles) {
     });
 }
 
-Bytes wall_forces(const Kernels& kernels, std::size_t combination, bool records, Index count) {
+Bytes wall_forces(const Kernels& kernels,
+                  std::size_t combination,
+                  bool records,
+                  Index count,
+                  bool general = false) {
     const std::uint64_t seed = 100 * combination + count;
     RandomParticles p(particle_count, seed);
     const ContactTable table = random_table(combination, seed);
@@ -289,9 +306,8 @@ Bytes wall_forces(const Kernels& kernels, std::size_t combination, bool records,
     }
     Column<double> force(4 * std::size_t{count}, 0.0);
     Column<double> record(static_cast<std::size_t>(count) * record_size);
-    kernels.wall_pass(combination,
-                      {.particles = p.view(),
-                       .laws = table.view(1.7e-5),
+    kernels.wall_pass({.particles = p.view(),
+                       .laws = laws_of(table, general),
                        .particle = particle.data(),
                        .touching = touching.data(),
                        .touching_count = count,
@@ -319,6 +335,24 @@ TEST(InstructionSets, GiveTheSameForcesOnWalls) {
     });
 }
 
+TEST(GeneralPass, GivesTheForcesOfEveryPassOfItsOwn) {
+    for (std::size_t n = 0; !available_isa(n).empty(); ++n) {
+        const Kernels& kernels = kernels_for(available_isa(n));
+        for (std::size_t c = 0; c < combination_count(); ++c) {
+            for (const bool records : {false, true}) {
+                for (const Index count : {1U, 7U, 8U, 9U, 33U}) {
+                    EXPECT_TRUE(pair_forces(kernels, c, records, count, true) ==
+                                pair_forces(kernels, c, records, count))
+                        << kernels.isa << ", laws " << c << ", " << count << " contacts";
+                    EXPECT_TRUE(wall_forces(kernels, c, records, count, true) ==
+                                wall_forces(kernels, c, records, count))
+                        << kernels.isa << ", laws " << c << ", " << count << " contacts with walls";
+                }
+            }
+        }
+    }
+}
+
 Bytes step_sums(const Kernels& kernels, std::size_t combination, Index count, bool rotation_rules) {
     const std::uint64_t seed = 100 * combination + count;
     RandomParticles p(particle_count, seed);
@@ -329,8 +363,7 @@ Bytes step_sums(const Kernels& kernels, std::size_t combination, Index count, bo
     const StepSums sums{shear.data(), rotation_rules ? nullptr : normal.data()};
     std::vector<Index> place(count);
     std::iota(place.begin(), place.end(), Index{3});
-    kernels.add_pair_steps(combination,
-                           {.particles = p.view(),
+    kernels.add_pair_steps({.particles = p.view(),
                             .laws = table.view(0.0),
                             .i = pairs.i.data(),
                             .j = pairs.j.data(),
@@ -345,8 +378,7 @@ Bytes step_sums(const Kernels& kernels, std::size_t combination, Index count, bo
         const Vec3 n = normalized({between(random, -1.0, 1.0), between(random, -1.0, 1.0), 0.5});
         geometry.insert(geometry.end(), {n.x, n.y, n.z, 0.003});
     }
-    kernels.add_wall_steps(combination,
-                           {.particles = p.view(),
+    kernels.add_wall_steps({.particles = p.view(),
                             .laws = table.view(0.0),
                             .particle = particle.data(),
                             .geometry = geometry.data(),
