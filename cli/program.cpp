@@ -193,7 +193,8 @@ private:
             ->type_name("REGEX");
         sub->add_flag("--json", verify_.json, "Print JSON in place of the table");
         sub->add_option(
-            "-o,--output", verify_.folder, "Folder that gets verify.json and verify.md");
+            "-o,--output", verify_.folder, "Folder that gets verify.json, .md and .xml (JUnit)");
+        sub->add_flag("--full", verify_.full, "The long series of the stability cases: minutes");
         finish(*sub, "grainbench verify --filter impact", [this] {
             return verify_command(verify_, streams_);
         });

@@ -102,6 +102,16 @@ std::string elevation_text(const io::Manifest& manifest) {
     return text;
 }
 
+std::string warnings_text(const io::Manifest& manifest) {
+    std::string text;
+    for (std::size_t k = 0; k < manifest.realisations.size(); ++k) {
+        for (const std::string& warning : manifest.realisations[k].summary.warnings) {
+            text += fmt::format("warning: realisation {}: {}\n", k + 1, warning);
+        }
+    }
+    return text;
+}
+
 }  // namespace
 
 std::string particles_text(const Scene& scene,
@@ -146,7 +156,7 @@ std::string summary_text(const io::Manifest& manifest, double output_share) {
             1e-6 * particle_steps / seconds,
             100.0 * output_share);
     }
-    return text + "\n";
+    return text + "\n" + warnings_text(manifest);
 }
 
 }  // namespace grainbench::cli

@@ -44,9 +44,9 @@ std::vector<verify::Case> chosen_cases(const std::string& filter) {
 }
 
 /// A case that the engine stops has failed; the others still run.
-CaseResult result_of(const verify::Case& one) {
+CaseResult result_of(const verify::Case& one, bool full) {
     try {
-        return {.one = one, .checks = verify::checks_of(one)};
+        return {.one = one, .checks = verify::checks_of(one, full)};
     } catch (const Error& error) {
         return {.one = one,
                 .checks = {{.case_name = one.name,
@@ -64,13 +64,14 @@ CaseResult result_of(const verify::Case& one) {
 int verify_command(const VerifyArguments& arguments, const Streams& streams) {
     std::vector<CaseResult> results;
     for (const verify::Case& one : chosen_cases(arguments.filter)) {
-        results.push_back(result_of(one));
+        results.push_back(result_of(one, arguments.full));
     }
     const std::string json = verify_json(results);
     if (!arguments.folder.empty()) {
         io::make_folder(arguments.folder);
         io::write_file(arguments.folder / "verify.json", json);
         io::write_file(arguments.folder / "verify.md", verify_markdown(results));
+        io::write_file(arguments.folder / "verify.xml", verify_junit(results));
     }
     streams.out << (arguments.json ? json : verify_text(results));
     const bool pass = std::all_of(

@@ -11,7 +11,8 @@ namespace grainbench::cli {
 struct VerifyArguments {
     std::string filter{};  ///< regular expression, found in the name of a case; empty = all
     bool json = false;     ///< print JSON in place of the table
-    std::filesystem::path folder{};  ///< gets verify.json and verify.md; empty = none
+    bool full = false;     ///< the long series of the stability catalogue
+    std::filesystem::path folder{};  ///< gets verify.json, .md and .xml; empty = none
 };
 
 /// exit_ok, or exit_check_failed if a check fails.

@@ -88,6 +88,19 @@ std::string markdown_cell(const std::string& text) {
     return cell;
 }
 
+std::string xml_text(const std::string& text) {
+    std::string safe;
+    for (const char c : text) {
+        safe += c == '&'                               ? "&amp;"
+                : c == '<'                             ? "&lt;"
+                : c == '>'                             ? "&gt;"
+                : c == '"'                             ? "&quot;"
+                : static_cast<unsigned char>(c) < 0x20 ? " "
+                                                       : std::string(1, c);
+    }
+    return safe;
+}
+
 }  // namespace
 
 bool CaseResult::passes() const {
@@ -146,6 +159,40 @@ std::string verify_markdown(const std::vector<CaseResult>& results) {
         }
     }
     return text;
+}
+
+std::string verify_junit(const std::vector<CaseResult>& results) {
+    std::string cases;
+    std::size_t failed = 0;
+    for (const CaseResult& result : results) {
+        std::string failures;
+        for (const Check& check : result.checks) {
+            if (!check.passes()) {
+                failures += fmt::format("      {}: expected {:.9g} +- {:.2g} {}, got {:.9g} ({})\n",
+                                        check.quantity,
+                                        check.expected,
+                                        check.tolerance,
+                                        check.unit,
+                                        check.got,
+                                        check.reason);
+            }
+        }
+        failed += failures.empty() ? 0 : 1;
+        cases += fmt::format("    <testcase classname=\"verify\" name=\"{}\"",
+                             xml_text(result.one.name));
+        cases += failures.empty() ? "/>\n"
+                                  : fmt::format(
+                                        ">\n      <failure>\n{}      </failure>\n"
+                                        "    </testcase>\n",
+                                        xml_text(failures));
+    }
+    return fmt::format(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
+        "  <testsuite name=\"grainbench verify\" tests=\"{}\" failures=\"{}\">\n"
+        "{}  </testsuite>\n</testsuites>\n",
+        results.size(),
+        failed,
+        cases);
 }
 
 std::string verify_json(const std::vector<CaseResult>& results) {

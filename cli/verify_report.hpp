@@ -20,6 +20,9 @@ std::string verify_text(const std::vector<CaseResult>& results);
 
 std::string verify_markdown(const std::vector<CaseResult>& results);
 
+/// JUnit's XML, a test case for each case, for machines that show failed tests.
+std::string verify_junit(const std::vector<CaseResult>& results);
+
 std::string verify_json(const std::vector<CaseResult>& results);
 
 }  // namespace grainbench::cli

@@ -1,5 +1,7 @@
 #include "core/engine.hpp"
 
+#include "core/guards/suspect.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -27,6 +29,9 @@ constexpr double unlimited_timestep = 1e-3;
 
 /// The same for walls, whose lists are short and dear to build.
 constexpr double wall_slack_per_radius = 1.0;
+
+/// Way of one cycle, over the largest radius, after which no grid could hold the particles [1].
+constexpr double hopeless_travel = 1e6;
 
 SearchSettings search_settings(const Detection& detection,
                                double smallest_radius,
@@ -212,20 +217,22 @@ void Engine::move(double timestep) {
     kernels_->move(pass);
 
     fastest_ = {pass.fastest[0], pass.fastest[1], pass.fastest[2]};
-    const double travel = norm(fastest_) * timestep;
-    pairs_.add_travel(travel);
+    travel_ = norm(fastest_) * timestep;
+    pairs_.add_travel(travel_);
     bed_shift_ += timestep * bed_velocity_;
     for (std::size_t w = 0; w < walls_.size(); ++w) {
-        wall_contacts_[w].add_travel(walls_[w].relative_speed_bound(fastest_, bed_velocity_) *
-                                     timestep);
+        const double travel = walls_[w].relative_speed_bound(fastest_, bed_velocity_) * timestep;
+        wall_contacts_[w].add_travel(travel);
+        travel_ = std::isfinite(travel) ? std::max(travel_, travel) : travel_;
         walls_[w].move(timestep);
     }
     time_ += timestep;
     timestep_ = timestep;
     ++cycle_;
     const Vec3 sum{pass.velocity_sum[0], pass.velocity_sum[1], pass.velocity_sum[2]};
-    if (!is_finite(sum)) {
-        throw_not_finite();
+    const double fastest = norm(fastest_) * timestep;
+    if (!is_finite(sum) || !(fastest <= hopeless_travel * particles_.largest_radius())) {
+        throw_runaway(*this);
     }
     bed_velocity_ = (1.0 / std::max<double>(particles_.size(), 1.0)) * sum;
 }
@@ -279,6 +286,16 @@ void Engine::update_stable_step() {
     }
 }
 
+double Engine::compute_touching_limit() {
+    sums_.clear(table_.rotation_rules());
+    const StepSums sums = sums_.sums();
+    pairs_.add_steps(particles_, table_, true, sums, *kernels_);
+    for (std::size_t w = 0; w < walls_.size(); ++w) {
+        wall_contacts_[w].add_steps(particles_, walls_[w], table_, true, sums, *kernels_);
+    }
+    return sums_.limit(particles_, *kernels_);
+}
+
 void Engine::scale_inertia(double step, double safety_factor) {
     for (Index slot = 0; slot < particles_.size(); ++slot) {
         const double limit = safety_factor * sums_.limit_of(particles_, slot);
@@ -296,11 +313,13 @@ void Engine::add_forces(double timestep) {
     if (std::holds_alternative<ScaledTimestep>(scheme_)) {
         particles_.load_weight(scene_gravity_);
     }
-    pairs_.add_forces(particles_, table_, timestep, keep_records_, *kernels_);
+    has_records_ = keep_records_ || want_records_;
+    want_records_ = false;
+    pairs_.add_forces(particles_, table_, timestep, has_records_, *kernels_);
     enter(Phase::walls);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         wall_contacts_[w].add_forces(
-            particles_, walls_[w], table_, timestep, keep_records_, *kernels_);
+            particles_, walls_[w], table_, timestep, has_records_, *kernels_);
     }
 }
 
@@ -364,26 +383,6 @@ double Engine::largest_overlap_ratio() const {
         }
     }
     return largest;
-}
-
-void Engine::throw_not_finite() const {
-    std::string who = "some particle";
-    for (Index slot = 0; slot < particles_.size(); ++slot) {
-        if (!is_finite(particles_.velocity(slot)) || !is_finite(particles_.position(slot))) {
-            who = "particle " + std::to_string(particles_.id(slot)) + " (" +
-                  materials_.names()[particles_.species(slot)] + ")";
-            break;
-        }
-    }
-    throw Error(
-        ErrorKind::unstable,
-        {.what = who + " has a velocity or position that is not a finite number",
-         .where = "cycle " + std::to_string(cycle_) + ", time " + std::to_string(time_) +
-                  " s, timestep " + std::to_string(timestep_) + " s",
-         .likely_cause = "the timestep is above the stable one, or particles started with a "
-                         "large overlap",
-         .next_step = "lower the timestep or its safety factor; `grainbench check` prints "
-                      "the stable step"});
 }
 
 void Engine::save(Archive& archive) const {

@@ -42,6 +42,29 @@ public:
 
     std::span<const WallContacts> wall_contacts() const { return wall_contacts_; }
 
+    const Materials& materials() const { return materials_; }
+
+    const Timestep& scheme() const { return scheme_; }
+
+    /// Stable step of one lone contact [s].
+    double single_contact_limit() const { return single_contact_; }
+
+    /// Stable step of the touching contacts alone, summed anew [s]; infinite without any.
+    double compute_touching_limit();
+
+    /// Bound on the way of the last cycle [m], of any particle relative to the bed or to a bounded
+    /// wall.
+    double travel() const { return travel_; }
+
+    /// Mean velocity in the last cycle [m/s].
+    const Vec3& bed_velocity() const { return bed_velocity_; }
+
+    /// Lets the contacts of the next cycle leave records, as keeps_records() does for all.
+    void want_records() { want_records_ = true; }
+
+    /// Whether the last cycle left records.
+    bool has_records() const { return has_records_; }
+
     /// Acceleration that acts on velocities; zero where gravity is among the forces.
     const Vec3& gravity() const { return gravity_; }
 
@@ -98,8 +121,6 @@ private:
 
     bool needs_stable_step() const { return !std::holds_alternative<FixedTimestep>(scheme_); }
 
-    [[noreturn]] void throw_not_finite() const;
-
     const Kernels* kernels_;
     Materials materials_;
     Contact contact_;
@@ -109,6 +130,8 @@ private:
     Vec3 scene_gravity_{};
     Vec3 gravity_{};
     bool keep_records_ = false;
+    bool want_records_ = false;
+    bool has_records_ = false;
     std::vector<WallBody> walls_;
     std::vector<WallContacts> wall_contacts_;
     ParticleState particles_;
@@ -127,6 +150,7 @@ private:
     Vec3 bed_velocity_{};          ///< mean velocity in the last cycle: the bed's frame
     Vec3 bed_shift_{};             ///< displacement of that frame
     Vec3 fastest_{};               ///< largest speed per axis relative to it
+    double travel_ = 0.0;
 };
 
 }  // namespace grainbench

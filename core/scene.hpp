@@ -2,6 +2,7 @@
 /// pointers, no JSON, no behaviour; core/simulation.hpp builds the running state from it. SI units.
 #pragma once
 
+#include "core/box.hpp"
 #include "core/contact/laws/constant_stiffness.hpp"
 #include "core/contact/laws/coulomb_friction.hpp"
 #include "core/contact/laws/deformability_stiffness.hpp"
@@ -9,6 +10,7 @@
 #include "core/contact/laws/linear_spring.hpp"
 #include "core/contact/laws/viscous_damping.hpp"
 #include "core/describe.hpp"
+#include "core/guards/guards.hpp"
 #include "core/types.hpp"
 #include "core/walls/motion.hpp"
 #include "core/walls/shapes.hpp"
@@ -35,18 +37,6 @@ struct Species {
             required(&Species::radius, "radius", "m", positive(), "radius of the spheres"),
             required(
                 &Species::density, "density", "kg/m^3", positive(), "density of the material")};
-    }
-};
-
-/// Axis-aligned box from low to high.
-struct Box {
-    Vec3 low{};
-    Vec3 high{};
-
-    static constexpr auto fields() {
-        return std::tuple{
-            required(&Box::low, "low", "m", any_number(), "corner with the smallest coordinates"),
-            required(&Box::high, "high", "m", any_number(), "corner with the largest coordinates")};
     }
 };
 
@@ -630,6 +620,7 @@ struct Scene {
     Observables observables;
     std::vector<Trace> traces;
     Realisations realisations;
+    Guards guards;
     Output output;
 
     static constexpr auto fields() {
@@ -651,6 +642,7 @@ struct Scene {
             field(&Scene::traces, "traces", "", any_number(), "particles whose path is recorded"),
             field(
                 &Scene::realisations, "realisations", "", any_number(), "copies with other seeds"),
+            field(&Scene::guards, "guards", "", any_number(), "what stops a run, or is warned of"),
             field(&Scene::output, "output", "", any_number(), "when files are written")};
     }
 };

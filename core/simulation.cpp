@@ -1,6 +1,7 @@
 #include "core/simulation.hpp"
 
 #include "core/engine.hpp"
+#include "core/guards/watch.hpp"
 #include "core/measure/elevation.hpp"
 #include "core/measure/selection.hpp"
 #include "core/schedule.hpp"
@@ -59,7 +60,8 @@ struct Simulation::Impl {
     Impl(const Scene& scene_in, int index_in, const SimulationOptions& options)
         : scene(scene_in),
           index(index_in),
-          engine(scene, static_cast<std::uint64_t>(scene.realisations.seed + index), options) {
+          engine(scene, static_cast<std::uint64_t>(scene.realisations.seed + index), options),
+          guards(scene, engine) {
         const ParticleState& particles = engine.particles();
         groups = group_numbers(scene, particles);
         layers = scene.layers ? layer_numbers(*scene.layers, particles)
@@ -89,6 +91,7 @@ struct Simulation::Impl {
     Scene scene;
     int index;
     Engine engine;
+    GuardWatch guards;
     std::vector<std::int32_t> groups, layers;
     std::vector<Index> traced;
     std::optional<Elevation> elevation;
@@ -148,6 +151,7 @@ void Simulation::Impl::enter_stage(std::size_t next) {
     stage_start = engine.time();
     stage_end = stage_start + current_stage().duration;
     engine.begin_stage(current_stage());
+    guards.begin_stage();
     schedule.begin(output(), stage_start);
     if (elevation) {
         elevation->begin_interval(stage_start,
@@ -167,6 +171,7 @@ void Simulation::Impl::observe() {
 }
 
 void Simulation::Impl::report_all(Observer& observer, const Simulation& self) {
+    guards.look(engine);
     largest_overlap_ratio = std::max(largest_overlap_ratio, engine.largest_overlap_ratio());
     observer.on_history(self);
     observer.on_trace(self);
@@ -187,6 +192,7 @@ void Simulation::Impl::report_due(Observer& observer, const Simulation& self) {
         observer.on_frame(self);
     }
     if (schedule.checkpoint.is_due(t)) {
+        guards.look(engine);
         observer.on_checkpoint(self);
     }
 }
@@ -220,8 +226,10 @@ bool Simulation::advance(std::uint64_t cycles, Observer& observer) {
         if (cycles-- == 0) {
             return false;
         }
+        s.guards.before_step(s.engine);
         s.engine.step();
         s.observe();
+        s.guards.after_step(s.engine);
         // The very last cycle is reported in full below, once.
         if (s.engine.time() < s.stage_end || s.stage + 1 < s.scene.stages.size()) {
             s.report_due(observer, *this);
@@ -469,6 +477,7 @@ Summary Simulation::summary() const {
     }
     summary.late_contacts = s.engine.late_count();
     summary.largest_overlap_ratio = s.largest_overlap_ratio;
+    summary.warnings = s.guards.warnings(s.engine);
     summary.searches = s.engine.pairs().renewals();
     summary.candidate_builds = s.engine.pairs().candidate_builds();
     return summary;
@@ -487,6 +496,7 @@ std::uint64_t Simulation::state_hash() const {
 void Simulation::save(Archive& archive) const {
     const Impl& s = *impl_;
     s.engine.save(archive);
+    s.guards.save(archive);
     s.schedule.save(archive);
     if (s.elevation) {
         s.elevation->save(archive);
@@ -512,6 +522,7 @@ void Simulation::load(const Archive& archive) {
     }
     s.stage = stage;
     s.engine.load(archive);
+    s.guards.load(archive);
     s.schedule.begin(s.output(), numbers.at(0));
     s.schedule.load(archive);
     if (s.elevation) {

@@ -53,6 +53,7 @@ struct Summary {
     double largest_overlap_ratio = 0.0;       ///< [1] overlap over the smaller radius, sampled
     std::uint64_t searches = 0;               ///< contact list renewals
     std::uint64_t candidate_builds = 0;       ///< candidate list renewals
+    std::vector<std::string> warnings;        ///< of guards, one line each
 };
 
 class Simulation {

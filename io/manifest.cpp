@@ -29,6 +29,7 @@ Json json_of(const Summary& summary) {
     json["largest_overlap_ratio"] = summary.largest_overlap_ratio;
     json["searches"] = summary.searches;
     json["candidate_builds"] = summary.candidate_builds;
+    json["warnings"] = summary.warnings;
     return json;
 }
 
@@ -73,6 +74,7 @@ Summary summary_of(const Json& json) {
     summary.largest_overlap_ratio = number_at(json, "largest_overlap_ratio");
     summary.searches = json.at("searches");
     summary.candidate_builds = json.at("candidate_builds");
+    summary.warnings = json.at("warnings").get<std::vector<std::string>>();
     return summary;
 }
 

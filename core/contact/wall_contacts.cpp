@@ -215,9 +215,13 @@ bool WallContacts::find_touching(const ParticleState& particles,
 }
 
 /// What a patch has lost goes to a neighbour that goes on in its place, nearest direction first. A
-/// face that is met while another is left must start from nothing.
+/// face that is met while another is left must start from nothing. A patch farther on counts as a
+/// neighbour where nothing but a sliver, passed within one step, can lie between: the same distance
+/// in the same direction.
 void WallContacts::hand_over(const Surface& surface) {
     constexpr double smallest_cosine = 0.5;
+    constexpr double same_direction = 0.9999;
+    constexpr double same_distance = 1e-3;
     const PairList& list = objects_.list();
     opened_.clear();
     for (std::size_t w = 0; w < now_.size(); ++w) {
@@ -240,8 +244,12 @@ void WallContacts::hand_over(const Surface& surface) {
                 for (const Index from : opened) {
                     const double* old = objects_.extra(from);
                     const double cosine = dot(hit->normal, Vec3{old[0], old[1], old[2]});
+                    const bool goes_on =
+                        surface.adjacent(list.j[from], list.j[hit->place]) ||
+                        (cosine > same_direction &&
+                         std::abs(hit->distance - old[3]) < same_distance * old[3]);
                     if (objects_.acts(from) && !objects_.acts(hit->place) && cosine > best &&
-                        surface.adjacent(list.j[from], list.j[hit->place])) {
+                        goes_on) {
                         best = cosine;
                         best_pair = {from, hit->place};
                         found = true;

@@ -39,8 +39,8 @@ void Checks::add(std::string quantity,
                        .reason = tolerance.reason});
 }
 
-std::vector<Check> checks_of(const Case& one) {
-    Checks checks(one.name);
+std::vector<Check> checks_of(const Case& one, bool full) {
+    Checks checks(one.name, full);
     one.run(checks);
     return checks.all();
 }

@@ -44,7 +44,11 @@ struct Check {
 /// Collects the checks of one case.
 class Checks {
 public:
-    explicit Checks(std::string case_name) : case_name_(std::move(case_name)) {}
+    explicit Checks(std::string case_name, bool full = false)
+        : case_name_(std::move(case_name)), full_(full) {}
+
+    /// Whether to take the long series: minutes in place of seconds, for the same claims.
+    bool is_full() const { return full_; }
 
     void add(std::string quantity,
              std::string unit,
@@ -52,10 +56,22 @@ public:
              double got,
              const Tolerance& tolerance);
 
+    /// A number that is to lie between -bound and bound.
+    void add_bound(
+        std::string quantity, std::string unit, double bound, double got, std::string reason) {
+        add(std::move(quantity), std::move(unit), 0.0, got, {bound, std::move(reason)});
+    }
+
+    /// A claim that holds or does not.
+    void add_claim(std::string claim, bool holds) {
+        add(std::move(claim), "1", 1.0, holds ? 1.0 : 0.0, exact());
+    }
+
     const std::vector<Check>& all() const { return checks_; }
 
 private:
     std::string case_name_;
+    bool full_ = false;
     std::vector<Check> checks_;
 };
 
@@ -67,6 +83,6 @@ struct Case {
 };
 
 /// Runs a case. An error thrown by the engine passes through.
-std::vector<Check> checks_of(const Case& one);
+std::vector<Check> checks_of(const Case& one, bool full = false);
 
 }  // namespace grainbench::verify

@@ -16,7 +16,12 @@ const std::vector<Case>& all_cases() {
                                  detection_cases,
                                  surface_cases,
                                  motion_cases,
-                                 energy_cases}) {
+                                 energy_cases,
+                                 stable_step_cases,
+                                 stable_contact_cases,
+                                 stable_wall_cases,
+                                 stable_rest_cases,
+                                 stable_frame_cases}) {
             for (Case& one : topic()) {
                 all.push_back(std::move(one));
             }

@@ -24,4 +24,11 @@ std::vector<Case> surface_cases();
 std::vector<Case> motion_cases();
 std::vector<Case> energy_cases();
 
+// The stability catalogue (share/doc/reliability.md), names "stability/...".
+std::vector<Case> stable_step_cases();
+std::vector<Case> stable_contact_cases();
+std::vector<Case> stable_wall_cases();
+std::vector<Case> stable_rest_cases();
+std::vector<Case> stable_frame_cases();
+
 }  // namespace grainbench::verify

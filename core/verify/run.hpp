@@ -45,6 +45,9 @@ public:
 
     const Simulation& simulation() const { return simulation_; }
 
+    /// Goes on from the state of another run of a scene that differs in what comes later.
+    void load(const Archive& archive) { simulation_.load(archive); }
+
     /// Sphere by its place in the scene, from 0.
     Ball ball(std::size_t place = 0) const;
 

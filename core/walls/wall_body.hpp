@@ -23,6 +23,9 @@ public:
     /// Another motion from time t on.
     void set_motion(const WallMotion& motion, double t);
 
+    /// False where the present motion keeps the wall in its place for good.
+    bool moves() const { return !motion_.is_fixed(); }
+
     /// Velocity of the coming step, evaluated at its start as everything else is.
     void begin_step(double t) { velocity_ = motion_.at(t); }
 

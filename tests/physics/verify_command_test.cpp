@@ -84,6 +84,13 @@ TEST(VerifyReport, SaysWhichCheckFails) {
     EXPECT_NE(verify_markdown(results).find("a \"quoted\" \\| b"), std::string::npos);
 }
 
+TEST(VerifyReport, WritesJUnitWithItsFailures) {
+    const std::string xml = verify_junit({result_with(1.5), result_with(1.125)});
+    EXPECT_NE(xml.find("tests=\"2\" failures=\"1\""), std::string::npos) << xml;
+    EXPECT_NE(xml.find("a &quot;quoted&quot; | b"), std::string::npos) << xml;
+    EXPECT_NE(xml.find("name=\"topic/claim\"/>"), std::string::npos) << xml;
+}
+
 TEST(VerifyReport, WritesJsonWhateverTheTextAndTheNumbers) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const auto json = nlohmann::json::parse(verify_json({result_with(nan)}));

@@ -1,0 +1,100 @@
+/// The guards of one realisation: they look at its state now and then and stop it, or keep a
+/// warning, where numbers can no longer be trusted.
+///
+/// Model    every cycle: way of the fastest particle, work of the walls. Every 64th: finiteness,
+///          energy, late contacts, particles that left. Every 512th: a step that was not chosen by
+///          the contacts. Overlaps as often as the fastest may have come a quarter of the bound.
+///          budget := min(budget + wall work, E) in each interval between looks              (1)
+///          trouble if E - budget > bound (kinetic + elastic + recent work and falls)         (2)
+///          with E = kinetic + elastic + potential: what grows faster than walls supply is made by
+///          the integration. A fiftieth of E - budget is forgiven at each look, so that scheme
+///          errors of either sign do not add up in a long run.
+/// Source   the work of a wall over a cycle is its velocity times the mean of the forces at the
+///          ends of the cycle: exact in the leapfrog (core/measure/energy_ledger.hpp, (2)).
+/// Limits   energy made in steady balance with damping does not grow and is not seen; scaled
+///          inertia switches the energy guard off, for time has no meaning there.
+#pragma once
+
+#include "core/archive.hpp"
+#include "core/engine.hpp"
+#include "core/guards/guards.hpp"
+
+#include <string>
+#include <vector>
+
+namespace grainbench {
+
+class GuardWatch {
+public:
+    /// Call before the engine's first stage begins.
+    GuardWatch(const Scene& scene, Engine& engine);
+
+    /// The laws or the scheme changed: energies before and after do not compare.
+    void begin_stage() { has_budget_ = false; }
+
+    void before_step(Engine& engine) const;
+
+    /// Throws Error(unstable) if a guard says stop.
+    void after_step(Engine& engine);
+
+    /// Looks at everything but energy now: before a state is kept as a good one.
+    void look(const Engine& engine);
+
+    /// What was warned of, one line each; counts are those of now.
+    std::vector<std::string> warnings(const Engine& engine) const;
+
+    void save(Archive& archive) const;
+    void load(const Archive& archive);
+
+private:
+    /// A closed wall, or a plane, that holds what started inside.
+    struct Hold {
+        std::size_t wall = 0;
+        bool is_plane = false;
+        Vec3 low{};   ///< of the box around the wall, in its frame [m]; of a plane: a point
+        Vec3 high{};  ///< [m]; of a plane: its unit normal [1]
+        std::vector<std::int8_t> side;  ///< by id - 1: 1 inside or above, -1 below, 0 outside
+    };
+
+    /// Sums and extremes of the particles.
+    struct Energy {
+        double motion = 0.0;     ///< [J] kinetic and elastic
+        double potential = 0.0;  ///< [J] in gravity, from where the run began
+    };
+
+    bool is_due(std::uint64_t cycle) const { return cycle % interval == 0; }
+
+    bool watches_energy(const Engine& engine) const;
+    void add_wall_work(const Engine& engine);
+    void check_travel(const Engine& engine);
+    void check_finite(const Engine& engine) const;
+    void check_overlap(const Engine& engine);
+    void check_timestep(Engine& engine);
+    void check_late(const Engine& engine);
+    void check_lost(const Engine& engine);
+    void check_energy(const Engine& engine);
+    Energy energy_of(const Engine& engine) const;
+    bool is_lost(const Engine& engine, Index slot) const;
+    void act(GuardAction action, const Engine& engine, Diagnosis diagnosis, std::string& warning);
+
+    static constexpr std::uint64_t interval = 64;  ///< cycles
+
+    Guards guards_;
+    Vec3 gravity_{};
+    Vec3 origin_{};              ///< [m] where potential energy is zero
+    double least_energy_ = 0.0;  ///< [J] below which motion is no matter
+    std::vector<Hold> holds_;
+
+    bool has_budget_ = false;
+    double budget_ = 0.0;     ///< [J]
+    double supplied_ = 0.0;   ///< [J] wall work since the last look
+    double turnover_ = 0.0;   ///< [J] recent work and falls
+    double potential_ = 0.0;  ///< [J] at the last look
+    double way_ = 0.0;        ///< [m] bound on what anything came since the last look at overlaps
+    std::vector<double> wall_load_;   ///< by wall: force [N] and torque [N m] of the last cycle
+    std::vector<std::uint8_t> lost_;  ///< by id - 1
+    std::uint64_t lost_count_ = 0;
+    std::string overlap_warning_, speed_warning_, timestep_warning_, energy_warning_;
+};
+
+}  // namespace grainbench
