@@ -286,6 +286,9 @@ void check_procedure(const Scene& scene, Problems& problems) {
         check_layers(*scene.layers, problems);
     }
     check_observables(scene, problems);
+    if (const auto& domain = scene.guards.lost.domain) {
+        check_box(domain->low, domain->high, "/guards/lost/domain", problems);
+    }
     check_output(scene.output, "/output", problems);
 }
 
