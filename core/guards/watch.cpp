@@ -149,10 +149,10 @@ void GuardWatch::after_step(Engine& engine) {
     check_travel(engine);
     add_wall_work(engine);
     way_ += engine.travel();
-    if (way_ > 0.25 * guards_.overlap.bound * engine.particles().smallest_radius()) {
+    if (way_ > 0.5 * guards_.overlap.bound * engine.particles().smallest_radius()) {
         check_overlap(engine);
     }
-    if (engine.cycle() % (8 * interval) == 0) {
+    if (engine.cycle() % (2 * interval) == 0) {
         check_timestep(engine);
     }
     if (is_due(engine.cycle())) {

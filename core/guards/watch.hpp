@@ -1,9 +1,9 @@
 /// The guards of one realisation: they look at its state now and then and stop it, or keep a
 /// warning, where numbers can no longer be trusted.
 ///
-/// Model    every cycle: way of the fastest particle, work of the walls. Every 64th: finiteness,
+/// Model    every cycle: way of the fastest particle, work of the walls. Every 256th: finiteness,
 ///          energy, late contacts, particles that left. Every 512th: a step that was not chosen by
-///          the contacts. Overlaps as often as the fastest may have come a quarter of the bound.
+///          the contacts. Overlaps as often as the fastest may have come half of the bound.
 ///          budget := min(budget + wall work, E) in each interval between looks              (1)
 ///          trouble if E - budget > bound (kinetic + elastic + recent work and falls)         (2)
 ///          with E = kinetic + elastic + potential: what grows faster than walls supply is made by
@@ -77,7 +77,7 @@ private:
     bool is_lost(const Engine& engine, Index slot) const;
     void act(GuardAction action, const Engine& engine, Diagnosis diagnosis, std::string& warning);
 
-    static constexpr std::uint64_t interval = 64;  ///< cycles
+    static constexpr std::uint64_t interval = 256;  ///< cycles
 
     Guards guards_;
     Vec3 gravity_{};

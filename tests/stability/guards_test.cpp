@@ -60,7 +60,7 @@ TEST(Guards, NameParticlePlaceTimePartnersCauseAndChange) {
                 AllOf(HasSubstr("particle 1 (ball) overlaps by"),
                       HasSubstr("at (0, 0, "),
                       HasSubstr("touching wall 'floor'"),
-                      HasSubstr("cycle 37, time 0.00037 s, timestep 1e-05 s"),
+                      HasSubstr("cycle 57, time 0.00057 s, timestep 1e-05 s"),
                       HasSubstr("likely cause: contacts too soft"),
                       HasSubstr("next step: make /contact/stiffness")));
 }
