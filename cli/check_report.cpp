@@ -48,7 +48,8 @@ double archive_bytes(const Simulation& simulation) {
     return bytes;
 }
 
-io::TrialRun try_out(Simulation& simulation, double seconds) {
+/// \param warnings gets what a guard says if it stops the trial
+io::TrialRun try_out(Simulation& simulation, double seconds, std::vector<std::string>& warnings) {
     Observer nobody;
     io::TrialRun trial;
     const std::uint64_t slice =
@@ -56,7 +57,17 @@ io::TrialRun try_out(Simulation& simulation, double seconds) {
     const auto start = Clock::now();
     bool finished = false;
     while (!finished && trial.wall_seconds < seconds) {
-        finished = simulation.advance(slice, nobody);
+        try {
+            finished = simulation.advance(slice, nobody);
+        } catch (const Error& error) {
+            if (error.kind() != ErrorKind::unstable) {
+                throw;
+            }
+            finished = true;
+            warnings.push_back(fmt::format("the first cycles end in trouble: {} ({})",
+                                           error.diagnosis().what,
+                                           error.diagnosis().likely_cause));
+        }
         trial.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
     }
     trial.cycles = simulation.cycle();
@@ -198,7 +209,7 @@ io::CheckReport check_scene(const Scene& scene, double trial_seconds) {
     report.insertion.assign(simulation.insertion_reports().begin(),
                             simulation.insertion_reports().end());
     report.stages = check_stages(scene, particles);
-    report.trial = try_out(simulation, trial_seconds);
+    report.trial = try_out(simulation, trial_seconds, report.warnings);
     report.memory_bytes = static_cast<double>(report.realisations) *
                           std::max(resident_bytes() - before, archive_bytes(simulation));
     report.detection = check_detection(scene, report, simulation.particle_frame());

@@ -171,7 +171,6 @@ void Simulation::Impl::observe() {
 }
 
 void Simulation::Impl::report_all(Observer& observer, const Simulation& self) {
-    guards.look(engine);
     largest_overlap_ratio = std::max(largest_overlap_ratio, engine.largest_overlap_ratio());
     observer.on_history(self);
     observer.on_trace(self);
@@ -212,6 +211,7 @@ bool Simulation::advance(std::uint64_t cycles, Observer& observer) {
             s.elevation->sample(s.engine.particles(), s.engine.time());
         }
         s.report_all(observer, *this);
+        s.guards.look(s.engine);
     }
     while (!s.finished) {
         if (s.engine.time() >= s.stage_end) {
@@ -219,6 +219,7 @@ bool Simulation::advance(std::uint64_t cycles, Observer& observer) {
                 s.enter_stage(s.stage + 1);
                 continue;
             }
+            s.guards.look(s.engine);
             s.finished = true;
             s.report_all(observer, *this);
             break;
