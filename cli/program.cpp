@@ -76,7 +76,9 @@ private:
             "-o,--output", run_.folder, "Run folder; out/<name of the scene> if absent");
         add_overrides(*sub, run_.overrides);
         sub->add_option(
-               "--threads", run_.threads, "Realisations side by side; all processors if absent")
+               "--threads",
+               run_.threads,
+               "Realisations side by side, or shares of a large one; all processors if absent")
             ->check(CLI::Range(1U, 4096U));
         sub->add_flag("--resume", run_.resume, "Go on from the checkpoint of the run folder");
         sub->add_flag("--quiet", run_.quiet, "No talk but errors");

@@ -21,16 +21,20 @@
 namespace grainbench::cli {
 namespace {
 
-/// Builds all realisations, several at a time; nothing but complete ones comes out.
+/// Builds all realisations, several at a time; nothing but complete ones comes out. Threads that
+/// realisations side by side leave over share the work inside each of them.
 std::vector<Simulation> build_simulations(const Scene& scene, unsigned threads) {
     const auto count = static_cast<std::size_t>(scene.realisations.count);
     std::vector<std::optional<Simulation>> built(count);
     std::vector<std::exception_ptr> failures(count);
     std::atomic<std::size_t> next = 0;
+    SimulationOptions options;
+    options.threads =
+        std::max(1U, threads / static_cast<unsigned>(std::max<std::size_t>(1, count)));
     const auto work = [&] {
         for (std::size_t n = next++; n < count; n = next++) {
             try {
-                built[n].emplace(scene, static_cast<int>(n));
+                built[n].emplace(scene, static_cast<int>(n), options);
             } catch (...) {
                 failures[n] = std::current_exception();
             }

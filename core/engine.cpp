@@ -88,6 +88,9 @@ Engine::Engine(const Scene& scene, std::uint64_t seed, const SimulationOptions& 
     settings.slack = wall_slack_per_radius * particles_.smallest_radius();
     wall_contacts_.assign(walls_.size(), WallContacts(settings, table_.history_size()));
     sums_ = StableStep(particles_);
+    if (particles_.slab_count() > 1) {
+        workers_ = Workers(options.threads);
+    }
     if (scene.observables.energy) {
         ledger_ = std::make_unique<EnergyLedger>();
     }
@@ -205,17 +208,38 @@ double Engine::choose_timestep() const {
     return std::isfinite(timestep) ? timestep : unlimited_timestep;
 }
 
-void Engine::move(double timestep) {
-    MotionPass pass{.particles = particles_.view(),
-                    .gravity = {gravity_.x, gravity_.y, gravity_.z, 0.0},
-                    .frame = {bed_velocity_.x, bed_velocity_.y, bed_velocity_.z, 0.0},
-                    .kick = 0.5 * (timestep_ + timestep),
-                    .drift = timestep,
-                    .few_are_loaded = few_are_loaded(),
-                    .fastest = {},
-                    .velocity_sum = {}};
-    kernels_->move(pass);
+/// Kicks and drifts all particles, slab by slab; sums over slabs are in their order.
+MotionPass Engine::move_particles(double timestep) {
+    const MotionPass all{.particles = particles_.view(),
+                         .gravity = {gravity_.x, gravity_.y, gravity_.z, 0.0},
+                         .frame = {bed_velocity_.x, bed_velocity_.y, bed_velocity_.z, 0.0},
+                         .kick = 0.5 * (timestep_ + timestep),
+                         .drift = timestep,
+                         .few_are_loaded = few_are_loaded(),
+                         .first = 0,
+                         .last = particles_.size(),
+                         .fastest = {},
+                         .velocity_sum = {}};
+    const std::size_t size = particles_.slab_size();
+    move_parts_.assign(particles_.slab_count(), all);
+    workers_.for_each(move_parts_.size(), [&](std::size_t slab) {
+        MotionPass& part = move_parts_[slab];
+        part.first = slab * size;
+        part.last = std::min<std::size_t>((slab + 1) * size, particles_.size());
+        kernels_->move(part);
+    });
+    MotionPass sum = all;
+    for (const MotionPass& part : move_parts_) {
+        for (int axis = 0; axis < 3; ++axis) {
+            sum.fastest[axis] = std::max(sum.fastest[axis], part.fastest[axis]);
+            sum.velocity_sum[axis] += part.velocity_sum[axis];
+        }
+    }
+    return sum;
+}
 
+void Engine::move(double timestep) {
+    const MotionPass pass = move_particles(timestep);
     fastest_ = {pass.fastest[0], pass.fastest[1], pass.fastest[2]};
     travel_ = norm(fastest_) * timestep;
     pairs_.add_travel(travel_);
@@ -258,7 +282,7 @@ void Engine::find_contacts() {
             std::min(renewal, wall_contacts_[w].update(cycle_, particles_, walls_[w], *kernels_));
     }
     enter(Phase::detection);
-    bool changed = pairs_.find_touching(particles_, *kernels_);
+    bool changed = pairs_.find_touching(particles_, *kernels_, workers_);
     enter(Phase::walls);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         changed = wall_contacts_[w].find_touching(particles_, walls_[w], *kernels_) || changed;
@@ -315,7 +339,7 @@ void Engine::add_forces(double timestep) {
     }
     has_records_ = keep_records_ || want_records_;
     want_records_ = false;
-    pairs_.add_forces(particles_, table_, timestep, has_records_, *kernels_);
+    pairs_.add_forces(particles_, table_, timestep, has_records_, *kernels_, workers_);
     enter(Phase::walls);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         wall_contacts_[w].add_forces(
@@ -422,7 +446,7 @@ void Engine::load(const Archive& archive) {
     bed_shift_ = {numbers.at(6), numbers.at(7), numbers.at(8)};
     fastest_ = {numbers.at(9), numbers.at(10), numbers.at(11)};
     particles_.load(archive);
-    pairs_.load(archive);
+    pairs_.load(archive, particles_);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         const std::string name = "wall-" + std::to_string(w + 1);
         walls_[w].load(archive, name);

@@ -113,6 +113,7 @@ private:
     void change_scheme(const Timestep& next);
     double choose_timestep() const;
     void move(double timestep);
+    MotionPass move_particles(double timestep);
     bool few_are_loaded() const;
     void find_contacts();
     void add_forces(double timestep);
@@ -137,6 +138,8 @@ private:
     ParticleState particles_;
     PairContacts pairs_;
     StableStep sums_;
+    Workers workers_;
+    std::vector<MotionPass> move_parts_;  ///< by slab
     std::unique_ptr<EnergyLedger> ledger_;
     std::vector<InsertionReport> insertion_reports_;
     PhaseWatch* phase_watch_ = nullptr;

@@ -17,9 +17,10 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-double thread_cpu_seconds() {
+/// Of the calling thread or, where one simulation has all threads to itself, of the process.
+double cpu_seconds(bool of_process) {
     timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    clock_gettime(of_process ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_THREAD_CPUTIME_ID, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
@@ -100,7 +101,8 @@ private:
     bool run_slice(std::size_t n) {
         Simulation& simulation = simulations_[n];
         const auto start = Clock::now();
-        const double cpu_start = thread_cpu_seconds();
+        const bool alone = simulations_.size() == 1;
+        const double cpu_start = cpu_seconds(alone);
         const std::uint64_t first_cycle = simulation.cycle();
         bool finished = false;
         std::exception_ptr failure;
@@ -111,7 +113,7 @@ private:
         }
         const std::lock_guard lock(mutex_);
         costs_[n].wall_seconds += seconds_since(start);
-        costs_[n].cpu_seconds += thread_cpu_seconds() - cpu_start;
+        costs_[n].cpu_seconds += cpu_seconds(alone) - cpu_start;
         particle_steps_ += static_cast<double>(simulation.cycle() - first_cycle) *
                            static_cast<double>(simulation.particle_count());
         times_[n] = simulation.time();

@@ -38,6 +38,8 @@ struct SimulationOptions {
     std::string isa;
     /// Slow and obvious: one lane and every pair looked at in every step. The oracle of the tests.
     bool reference = false;
+    /// Threads that share the work on one large scene; the bits do not depend on it.
+    unsigned threads = 1;
 };
 
 /// Scalars known at the end of (or during) a run.

@@ -5,7 +5,7 @@ set -euo pipefail
 
 packages=(
   g++ cmake ninja-build
-  libeigen3-dev libhwy-dev                                 # core
+  libeigen3-dev libhwy-dev libtbb-dev                      # core
   libvtk9-dev libopenmpi-dev libhdf5-dev nlohmann-json3-dev libvalijson-dev  # io
   libosmesa6-dev libpng-dev                                # render
   libcli11-dev libspdlog-dev libfmt-dev                    # cli

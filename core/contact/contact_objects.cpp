@@ -1,6 +1,7 @@
 #include "core/contact/contact_objects.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace grainbench {
 
@@ -59,24 +60,44 @@ bool ContactObjects::was_listed(Index i, Index j) const {
                               j);
 }
 
-bool ContactObjects::set_touching(std::span<const std::uint64_t> now) {
-    touching_count_ = 0;
-    bool changed = false;
-    for (std::size_t w = 0; w < now.size(); ++w) {
-        const std::uint64_t before = acting_[w];
-        const std::uint64_t opened = before & ~now[w];
-        changed = changed || before != now[w];
-        acting_[w] = now[w];
-        const auto first = static_cast<Index>(64 * w);
-        for (std::uint64_t bits = opened; bits != 0; bits &= bits - 1) {
-            std::fill_n(row(first + static_cast<Index>(__builtin_ctzll(bits))), stride(), 0.0);
+bool ContactObjects::set_touching(std::span<const std::uint64_t> now, const Workers& workers) {
+    constexpr std::size_t part_size = 128;  // words: enough work to be worth a thread
+    const std::size_t parts = (now.size() + part_size - 1) / part_size;
+    const auto words_of = [&](std::size_t part) {
+        return std::pair{part * part_size, std::min(now.size(), (part + 1) * part_size)};
+    };
+    part_start_.assign(parts + 1, 0);
+    part_changed_.assign(parts, 0);
+    workers.for_each(parts, [&](std::size_t part) {
+        const auto [first, last] = words_of(part);
+        std::size_t count = 0;
+        bool changed = false;
+        for (std::size_t w = first; w < last; ++w) {
+            count += static_cast<std::size_t>(__builtin_popcountll(now[w]));
+            changed = changed || acting_[w] != now[w];
         }
-        for (std::uint64_t bits = now[w]; bits != 0; bits &= bits - 1) {
-            const auto bit = static_cast<Index>(__builtin_ctzll(bits));
-            touching_[touching_count_++] = TouchingContact(first + bit, (before >> bit & 1) == 0);
+        part_start_[part + 1] = count;
+        part_changed_[part] = changed ? 1 : 0;
+    });
+    std::partial_sum(part_start_.begin(), part_start_.end(), part_start_.begin());
+    touching_count_ = part_start_.back();
+    workers.for_each(parts, [&](std::size_t part) {
+        std::size_t next = part_start_[part];
+        const auto [first_word, last_word] = words_of(part);
+        for (std::size_t w = first_word; w < last_word; ++w) {
+            const std::uint64_t before = acting_[w];
+            acting_[w] = now[w];
+            const auto first = static_cast<Index>(64 * w);
+            for (std::uint64_t bits = before & ~now[w]; bits != 0; bits &= bits - 1) {
+                std::fill_n(row(first + static_cast<Index>(__builtin_ctzll(bits))), stride(), 0.0);
+            }
+            for (std::uint64_t bits = now[w]; bits != 0; bits &= bits - 1) {
+                const auto bit = static_cast<Index>(__builtin_ctzll(bits));
+                touching_[next++] = TouchingContact(first + bit, (before >> bit & 1) == 0);
+            }
         }
-    }
-    return changed;
+    });
+    return std::find(part_changed_.begin(), part_changed_.end(), 1) != part_changed_.end();
 }
 
 void ContactObjects::hand_over(Index from, Index to) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/archive.hpp"
+#include "core/parallel/workers.hpp"
 #include "core/search/candidates.hpp"
 
 #include <span>
@@ -29,7 +30,7 @@ public:
 
     /// Takes over which objects touch, one bit each, and forgets the history of those that opened.
     /// True if any opened or closed.
-    bool set_touching(std::span<const std::uint64_t> now);
+    bool set_touching(std::span<const std::uint64_t> now, const Workers& workers = {});
 
     /// Objects that touch, ascending.
     std::span<const TouchingContact> touching() const {
@@ -77,6 +78,8 @@ private:
     Column<double> rows_;
     Column<TouchingContact> touching_;
     std::size_t touching_count_ = 0;
+    std::vector<std::size_t> part_start_;  ///< by part of the words: first touching object
+    std::vector<std::uint8_t> part_changed_;
     PairList list_before_;
     std::vector<std::uint64_t> acting_before_;
     Column<double> rows_before_;

@@ -63,8 +63,26 @@ void PairContacts::renew(const ParticleState& particles, const Kernels& kernels)
     }
     objects_.renew(candidates_, {found_.data(), count});
     within_.resize(objects_.list().words());
+    cut_into_slabs(particles);
     adopt_late_contacts(particles, kernels);
     ++renewals_;
+}
+
+/// One slab where particles have wandered so far that some contact reaches past the next slab.
+void PairContacts::cut_into_slabs(const ParticleState& particles) {
+    const PairList& list = objects_.list();
+    const Index size = particles.slab_size();
+    slab_start_.assign(1, 0);
+    bool fits = true;
+    for (Index k = 0; k < list.count && fits; ++k) {
+        const Index slab = list.i[k] / size;
+        while (slab_start_.size() <= slab) {
+            slab_start_.push_back(k);
+        }
+        fits = list.j[k] / size <= slab + 1;
+    }
+    slab_start_.resize(fits ? slab_start_.size() : 1);
+    slab_start_.push_back(list.count);
 }
 
 /// Born overlapping: the whole of the first step counts (physics reference 1.3).
@@ -82,27 +100,60 @@ void PairContacts::adopt_late_contacts(const ParticleState& particles, const Ker
     }
 }
 
-bool PairContacts::find_touching(const ParticleState& particles, const Kernels& kernels) {
-    kernels.test_pairs(query(particles, objects_.list(), 1.0, 0.0), within_.data());
-    return objects_.set_touching(within_);
+bool PairContacts::find_touching(const ParticleState& particles,
+                                 const Kernels& kernels,
+                                 const Workers& workers) {
+    constexpr Index part_size = 8192;  // pairs, a multiple of 64
+    const Index count = objects_.list().count;
+    workers.for_each((count + part_size - 1) / part_size, [&](std::size_t part) {
+        const auto first = static_cast<Index>(part * part_size);
+        PairQuery part_query = query(particles, objects_.list(), 1.0, 0.0);
+        part_query.i += first;
+        part_query.j += first;
+        part_query.count = std::min(part_size, count - first);
+        kernels.test_pairs(part_query, within_.data() + first / 64);
+    });
+    return objects_.set_touching(within_, workers);
 }
 
 void PairContacts::add_forces(ParticleState& particles,
                               const ContactTable& table,
                               double timestep,
                               bool records,
-                              const Kernels& kernels) {
+                              const Kernels& kernels,
+                              const Workers& workers) {
     if (records) {
         records_.resize(touching().size() * record_size);
     }
-    kernels.pair_pass({.particles = particles.view(),
+    const PairPass all{.particles = particles.view(),
                        .laws = table.view(timestep),
                        .i = objects().i.data(),
                        .j = objects().j.data(),
                        .touching = touching().data(),
                        .touching_count = static_cast<Index>(touching().size()),
                        .rows = objects_.rows(),
-                       .records = records ? records_.data() : nullptr});
+                       .records = records ? records_.data() : nullptr};
+    const auto first_touching = [&](std::size_t slab) {
+        return std::partition_point(
+                   touching().begin(),
+                   touching().end(),
+                   [&](TouchingContact contact) { return contact.place() < slab_start_[slab]; }) -
+               touching().begin();
+    };
+    const std::size_t slabs = slab_start_.size() - 1;
+    for (const std::size_t parity : {0U, 1U}) {
+        workers.for_each((slabs + 1 - parity) / 2, [&](std::size_t part) {
+            const std::size_t slab = 2 * part + parity;
+            const std::ptrdiff_t first = first_touching(slab);
+            PairPass pass = all;
+            pass.touching += first;
+            pass.touching_count = static_cast<Index>(first_touching(slab + 1) - first);
+            if (records) {
+                pass.records += static_cast<std::size_t>(first) * record_size;
+            }
+            kernels.pair_pass(pass);
+        });
+    }
 }
 
 void PairContacts::add_steps(ParticleState& particles,
@@ -145,7 +196,7 @@ void PairContacts::save(Archive& archive) const {
     archive.put("pairs/counters", std::vector<std::uint64_t>{late_, renewals_, builds_});
 }
 
-void PairContacts::load(const Archive& archive) {
+void PairContacts::load(const Archive& archive, const ParticleState& particles) {
     clock_.load(archive, "pairs");
     const auto& i = archive.get<Index>("pairs/candidate_i");
     const auto& j = archive.get<Index>("pairs/candidate_j");
@@ -155,6 +206,7 @@ void PairContacts::load(const Archive& archive) {
     candidates_.pad();
     objects_.load(archive, "pairs/objects");
     within_.assign(objects_.list().words(), 0);
+    cut_into_slabs(particles);
     const auto& records = archive.get<double>("pairs/records");
     records_.assign(records.begin(), records.end());
     const auto& counters = archive.get<std::uint64_t>("pairs/counters");

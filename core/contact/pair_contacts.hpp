@@ -1,6 +1,9 @@
 /// Contacts between particles: candidates, contact objects and touching contacts, each a part of
 /// the one before. Lists are in lexicographic order of (i, j), so that history is carried over in
-/// one sweep and forces are summed in one fixed order.
+/// one sweep and forces are summed in one fixed order. In large scenes that order is by slabs of
+/// slots: first the contacts of all even slabs, then those of the odd ones. A contact of a slab
+/// joins it with itself or the next one, so slabs of one kind never write to one particle, and
+/// threads may share them.
 #pragma once
 
 #include "core/contact/contact_objects.hpp"
@@ -28,14 +31,17 @@ public:
                    const Kernels& kernels);
 
     /// Finds the touching contacts; those that opened lose their history. True if the set changed.
-    bool find_touching(const ParticleState& particles, const Kernels& kernels);
+    bool find_touching(const ParticleState& particles,
+                       const Kernels& kernels,
+                       const Workers& workers = {});
 
     /// Adds the forces of the touching contacts.
     void add_forces(ParticleState& particles,
                     const ContactTable& table,
                     double timestep,
                     bool records,
-                    const Kernels& kernels);
+                    const Kernels& kernels,
+                    const Workers& workers = {});
 
     /// Adds to the sums for the stable step the contacts that touch or may touch soon, or only
     /// those that touch.
@@ -64,11 +70,12 @@ public:
     std::uint64_t candidate_builds() const { return builds_; }
 
     void save(Archive& archive) const;
-    void load(const Archive& archive);
+    void load(const Archive& archive, const ParticleState& particles);
 
 private:
     void build_candidates(const ParticleState& particles, const Kernels& kernels);
     void renew(const ParticleState& particles, const Kernels& kernels);
+    void cut_into_slabs(const ParticleState& particles);
     void adopt_late_contacts(const ParticleState& particles, const Kernels& kernels);
     PairQuery query(const ParticleState& particles,
                     const PairList& list,
@@ -81,6 +88,7 @@ private:
     ContactObjects objects_;
     Column<Index> found_;
     std::vector<std::uint64_t> within_;
+    std::vector<Index> slab_start_;  ///< by slab: first place; one more at the end
     Column<double> records_;
     std::uint64_t late_ = 0, renewals_ = 0, builds_ = 0;
 };

@@ -22,7 +22,7 @@ struct ParticleView {
     std::size_t padded_count;  ///< rows of each column, a multiple of 8
 };
 
-/// Kick and drift of all particles; takes their forces and torques away.
+/// Kick and drift of a part of the particles; takes their forces and torques away.
 struct MotionPass {
     ParticleView particles;
     double gravity[4];       ///< [m/s^2]
@@ -30,6 +30,8 @@ struct MotionPass {
     double kick;             ///< [s] half the old plus half the new step
     double drift;            ///< [s] new step
     bool few_are_loaded;     ///< worth looking at `loaded` before touching forces
+    std::size_t first;       ///< row of this part, a multiple of 8
+    std::size_t last;        ///< row after it, a multiple of 8 or the count of particles
     double fastest[4];       ///< out: largest |v - frame| per axis
     double velocity_sum[4];  ///< out: sum of v per axis; not finite if any v is not
 };

@@ -23,10 +23,10 @@ inline Packet kick_by_loads(const ParticleView& p, std::size_t row, const Packet
     return kicked;
 }
 
-/// Calls act(row) for each loaded particle and marks it as no longer loaded.
+/// Calls act(row) for each loaded particle of [begin, end) and marks it as no longer loaded.
 template <class Act>
-void for_each_loaded(const ParticleView& p, const Act& act) {
-    for (std::size_t first = 0; first < p.padded_count; first += 8) {
+void for_each_loaded(const ParticleView& p, std::size_t begin, std::size_t end, const Act& act) {
+    for (std::size_t first = begin; first < end; first += 8) {
         std::uint64_t flags = 0;
         std::memcpy(&flags, p.loaded + first, 8);
         if (flags == 0) {
@@ -55,10 +55,11 @@ inline void move(MotionPass& pass) {
     const Packet frame = packet(pass.frame);
     const Packet fall = packet(pass.gravity) * kick;
     if (pass.few_are_loaded) {
-        for_each_loaded(
-            p, [&](std::size_t row) { kick_by_loads(p, row, kick).store(p.velocity + 4 * row); });
+        for_each_loaded(p, pass.first, pass.last, [&](std::size_t row) {
+            kick_by_loads(p, row, kick).store(p.velocity + 4 * row);
+        });
     } else {
-        std::memset(p.loaded, 0, p.padded_count);
+        std::memset(p.loaded + pass.first, 0, pass.last - pass.first);
     }
     Packet sum[2] = {zero, zero};
     Packet fastest[2] = {zero, zero};
@@ -71,12 +72,12 @@ inline void move(MotionPass& pass) {
             sum[k] = sum[k] + velocity;
             fastest[k] = larger(absolute(velocity - frame), fastest[k]);
         };
-        std::size_t row = 0;
-        for (; row + 1 < p.count; row += 2) {
+        std::size_t row = pass.first;
+        for (; row + 1 < pass.last; row += 2) {
             advance(row, 0);
             advance(row + 1, 1);
         }
-        if (row < p.count) {
+        if (row < pass.last) {
             advance(row, 0);
         }
     };

@@ -7,17 +7,53 @@ namespace grainbench {
 
 namespace {
 
-/// Order of the spheres along x within columns along y and z of cells of the largest diameter, so
-/// that neighbours in space are near in memory.
-std::vector<Index> spatial_order(std::span<const Sphere> spheres, double cell) {
-    std::vector<Index> order(spheres.size());
-    std::iota(order.begin(), order.end(), Index{0});
-    const auto key = [&](Index n) {
-        const Vec3& p = spheres[n].position;
-        return std::array{std::floor(p.z / cell), std::floor(p.y / cell), std::floor(p.x / cell)};
-    };
-    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return key(a) < key(b); });
-    return order;
+/// The spheres in layers of cells along the longest side of the bed, and within a layer in rows
+/// along the shortest: neighbours in space are near in memory, and contacts reach few layers ahead.
+struct SpatialOrder {
+    std::vector<Index> origin;  ///< by slot: place in the given order
+    Index largest_layer = 0;    ///< spheres
+
+    SpatialOrder(std::span<const Sphere> spheres, double cell) : origin(spheres.size()) {
+        std::iota(origin.begin(), origin.end(), Index{0});
+        if (spheres.empty()) {
+            return;
+        }
+        const auto along = [](const Vec3& v) { return std::array{v.x, v.y, v.z}; };
+        std::array<double, 3> low = along(spheres.front().position);
+        std::array<double, 3> high = low;
+        for (const Sphere& sphere : spheres) {
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                low[axis] = std::min(low[axis], along(sphere.position)[axis]);
+                high[axis] = std::max(high[axis], along(sphere.position)[axis]);
+            }
+        }
+        std::array<std::size_t, 3> axes{2, 1, 0};
+        std::stable_sort(axes.begin(), axes.end(), [&](std::size_t a, std::size_t b) {
+            return high[a] - low[a] > high[b] - low[b];
+        });
+        std::vector<std::array<double, 3>> key;
+        for (const Sphere& sphere : spheres) {
+            const std::array<double, 3> p = along(sphere.position);
+            key.push_back({std::floor((p[axes[0]] - low[axes[0]]) / cell),
+                           std::floor((p[axes[1]] - low[axes[1]]) / cell),
+                           std::floor((p[axes[2]] - low[axes[2]]) / cell)});
+        }
+        std::stable_sort(
+            origin.begin(), origin.end(), [&](Index a, Index b) { return key[a] < key[b]; });
+        Index first = 0;
+        for (Index slot = 0; slot < origin.size(); ++slot) {
+            first = key[origin[slot]][0] > key[origin[first]][0] ? slot : first;
+            largest_layer = std::max(largest_layer, slot - first + 1);
+        }
+    }
+};
+
+/// Slots per slab: three layers, since contacts may reach across two. Where that makes only a few
+/// slabs the bed is one.
+Index slab_size_of(Index size, Index largest_layer) {
+    const std::size_t wanted = std::max<std::size_t>(1024, 3 * std::size_t{largest_layer});
+    const std::size_t slab = 8 * wanted > size ? size : wanted;
+    return static_cast<Index>((std::max<std::size_t>(slab, 1) + 63) / 64 * 64);
 }
 
 void put_packet(Column<double>& column, Index slot, const Vec3& v, double fourth) {
@@ -61,10 +97,10 @@ ParticleState::ParticleState(std::span<const Sphere> spheres, std::span<const do
         smallest_radius_ =
             smallest_radius_ == 0.0 ? sphere.radius : std::min(smallest_radius_, sphere.radius);
     }
-    const std::vector<Index> order =
-        spatial_order(spheres, 2.0 * std::max(largest_radius_, 1e-300));
+    const SpatialOrder order(spheres, 2.0 * std::max(largest_radius_, 1e-300));
+    slab_size_ = slab_size_of(size_, order.largest_layer);
     for (Index slot = 0; slot < size_; ++slot) {
-        const Index origin = order[slot];
+        const Index origin = order.origin[slot];
         const Sphere& s = spheres[origin];
         const double mass = density[s.species] * 4.0 / 3.0 * pi * s.radius * s.radius * s.radius;
         const double inverse_inertia = 1.0 / (0.4 * mass * s.radius * s.radius);

@@ -54,6 +54,12 @@ public:
 
     std::span<const double> positions() const { return position_; }
 
+    /// Slots of one slab, a multiple of 64: slots are in layers along the longest side of the bed,
+    /// and while they keep that order contacts join a slab with itself or the next one.
+    Index slab_size() const { return slab_size_; }
+
+    Index slab_count() const { return (size_ + slab_size_ - 1) / slab_size_; }
+
     double smallest_radius() const { return smallest_radius_; }
 
     double largest_radius() const { return largest_radius_; }
@@ -77,6 +83,7 @@ private:
     }
 
     Index size_ = 0;
+    Index slab_size_ = 64;
     double smallest_radius_ = 0.0;
     double largest_radius_ = 0.0;
     Column<double> position_, velocity_, spin_, force_, torque_;

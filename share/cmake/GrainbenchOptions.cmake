@@ -32,6 +32,7 @@ endif()
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(hwy 1.0 REQUIRED)
 find_package(Threads REQUIRED)
+find_package(TBB 2021 REQUIRED COMPONENTS tbb)
 if(GRAINBENCH_BUILD_IO)
     find_package(MPI REQUIRED COMPONENTS C)  # named by Debian's VTK targets
     find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel IOCore IOGeometry IOXML IOXMLParser)

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 namespace grainbench::test {
@@ -51,6 +52,47 @@ TEST(Threads, NeitherTheirNumberNorTheSliceChangesABit) {
             EXPECT_EQ(run(scene, {.threads = threads, .slice = slice}), expected)
                 << threads << " threads, slices of " << slice;
         }
+    }
+}
+
+/// More slabs than one has, by a lattice in touch that falls and is thrown against its box.
+Scene long_bed() {
+    constexpr double radius = 0.003;
+    ListInsertion list;
+    for (int n = 0; n < 12000; ++n) {
+        Placement sphere{.species = "small",
+                         .position = {radius * (2.0 * (n % 10) + 1.0),
+                                      radius * (2.0 * (n / 10 % 10) + 1.0),
+                                      radius * (2.0 * (n / 100) + 1.0)}};
+        sphere.velocity = {
+            0.3 * std::sin(1.7 * n), 0.3 * std::sin(2.3 * n), 0.3 * std::sin(3.1 * n)};
+        list.particles.push_back(sphere);
+    }
+    Scene scene;
+    scene.gravity = Vec3{0.0, 0.0, -9.8};
+    scene.particles.species = {{"small", radius, 1500.0}};
+    scene.particles.insertion = {std::move(list)};
+    scene.walls = {{.name = "box",
+                    .shape = BoxShape{{0.0, 0.0, 0.0}, {0.06, 0.06, 0.75}},
+                    .motion = FixedMotion{},
+                    .material = {}}};
+    scene.contact = full_contact(1e5, 0.3);
+    Stage stage;
+    stage.duration = 1.0;
+    scene.stages = {stage};
+    return scene;
+}
+
+TEST(Threads, ThoseInsideOneSceneChangeNoBit) {
+    const Scene scene = long_bed();
+    Observer nobody;
+    Simulation alone(scene, 0);
+    alone.advance(300, nobody);
+    ASSERT_GT(alone.touching_count(), 5000U);
+    for (const unsigned threads : {2U, 3U, 8U}) {
+        Simulation shared(scene, 0, {.threads = threads});
+        shared.advance(300, nobody);
+        EXPECT_EQ(shared.state_hash(), alone.state_hash()) << threads << " threads";
     }
 }
 

@@ -67,6 +67,8 @@ Bytes moved(const Kernels& kernels, Index count, bool few) {
                     .kick = 1.1e-5,
                     .drift = 1.3e-5,
                     .few_are_loaded = few,
+                    .first = 0,
+                    .last = count,
                     .fastest = {},
                     .velocity_sum = {}};
     kernels.move(pass);

@@ -112,7 +112,7 @@ private:
     /// to round-off, and its one division does not wait for the contact's direction.
     template <class T>
     static T restored_length(const T& before, const T& after) {
-        const T safe_before = select(T{} < before, before, T(1.0));
+        const T safe_before = select(T(1e-290) < before, before, T(1.0));  // 1 / before is finite
         const T loss = (before - after) * (T(1.0) / safe_before);
         const auto is_large = T(1e-4) < absolute(loss);  // the next term is 35/128 loss^4 < 3e-17
         T factor = T(1.0) + loss * (T(0.5) + loss * (T(0.375) + loss * T(0.3125)));

@@ -206,6 +206,8 @@ TEST(ParticleState, PadsItsColumnsWithRowsThatNeverMoveOrCount) {
                         .kick = 0.1,
                         .drift = 0.1,
                         .few_are_loaded = false,
+                        .first = 0,
+                        .last = view.count,
                         .fastest = {},
                         .velocity_sum = {}};
         kernels_for("").move(pass);
