@@ -99,9 +99,9 @@ void check_pile(Checks& checks) {
                      "loose balls roll on: nothing brakes rolling");
     checks.add_bound("kinetic energy left over a fall by one radius",
                      "1",
-                     1e-6,
+                     1e-5,
                      run.now("kinetic_energy") / (54.0 * mass * gravity * r),
-                     "at rest but for those");
+                     "at rest but for those: three that roll at 2 mm/s are 5e-6");
 }
 
 /// A ball in a groove, thrown and spinning about each axis: sliding in the groove stops it.

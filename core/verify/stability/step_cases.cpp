@@ -163,9 +163,9 @@ void check_packing(Checks& checks) {
         checks.add_bound("kinetic energy over what one radius of fall gives, at " +
                              text_of(factor) + " of the estimated stable step",
                          "1",
-                         1e-5,
+                         1e-4,
                          run.now("kinetic_energy") / (216.0 * mass * 9.8 * r),
-                         "at rest but for what is left of settling");
+                         "at rest but for balls that roll on: one at 0.03 m/s is 1e-4");
     }
     for (const double factor : {2.5, 3.0, 4.0}) {
         Run run = continued(factor);
