@@ -90,7 +90,7 @@ TEST(Threads, ThoseInsideOneSceneChangeNoBit) {
     alone.advance(300, nobody);
     ASSERT_GT(alone.touching_count(), 5000U);
     for (const unsigned threads : {2U, 3U, 8U}) {
-        Simulation shared(scene, 0, {.threads = threads});
+        Simulation shared(scene, 0, {.isa = "", .threads = threads});
         shared.advance(300, nobody);
         EXPECT_EQ(shared.state_hash(), alone.state_hash()) << threads << " threads";
     }

@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace grainbench::verify {
 
@@ -71,6 +72,21 @@ double Noise::next() {
     // The generator of Knuth's MMIX; its high bits are good enough to shake a scene.
     state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
     return static_cast<double>(state_ >> 11) * 0x1p-52 - 1.0;
+}
+
+double energy_of_resting(const Simulation& simulation, double mass, std::size_t loose) {
+    const ParticleFrame frame = simulation.particle_frame();
+    std::vector<double> energies;
+    for (std::size_t n = 0; n < frame.size(); ++n) {
+        const Vec3& v = frame.velocity[n];
+        const Vec3& w = frame.angular_velocity[n];
+        const double inertia = 0.4 * mass * frame.radius[n] * frame.radius[n];
+        energies.push_back(0.5 * (mass * dot(v, v) + inertia * dot(w, w)));
+    }
+    std::ranges::sort(energies);
+    const std::size_t resting = energies.size() - std::min(loose, energies.size());
+    return std::accumulate(
+        energies.begin(), energies.begin() + static_cast<std::ptrdiff_t>(resting), 0.0);
 }
 
 }  // namespace grainbench::verify

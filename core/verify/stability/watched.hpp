@@ -49,4 +49,8 @@ private:
     std::uint64_t state_;
 };
 
+/// Kinetic energy [J], spin included, of all spheres of one kind but the `loose` most lively ones:
+/// a ball that nothing loads rolls or spins on, an unstable step shakes many.
+double energy_of_resting(const Simulation& simulation, double mass, std::size_t loose);
+
 }  // namespace grainbench::verify
