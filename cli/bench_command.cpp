@@ -92,6 +92,7 @@ void run_one(benchmark::State& state, Shared& shared, Failure& failure) {
     state.counters["touching"] = timing.touching;
     state.counters["objects"] = timing.objects;
     state.counters["candidates"] = timing.candidates;
+    state.counters["loaded"] = timing.loaded;
     state.counters["searches"] = timing.searches;
     state.counters["builds"] = timing.candidate_builds;
 }
@@ -123,30 +124,42 @@ public:
         if (result.step_times.empty()) {
             return;
         }
-        result.touching = sums["touching"] / sums["particle_steps"];
-        result.objects = sums["objects"] / sums["particle_steps"];
-        result.candidates = sums["candidates"] / sums["particle_steps"];
-        result.searches = sums["searches"] / sums["cycles"];
-        result.candidate_builds = sums["builds"] / sums["cycles"];
+        const double steps = sums["particle_steps"];
+        result.counts = {.particles = steps / sums["cycles"],
+                         .touching = sums["touching"] / steps,
+                         .loaded = sums["loaded"] / steps,
+                         .objects = sums["objects"] / steps,
+                         .candidates = sums["candidates"] / steps,
+                         .renewals = sums["searches"] / sums["cycles"],
+                         .builds = sums["builds"] / sums["cycles"]};
         result.timestep = sums["simulated"] / sums["cycles"];
-        describe(*shared_.at(result.name), result);
+        complete(*shared_.at(result.name), result);
         results.push_back(result);
     }
 
     std::vector<BenchResult> results;
 
 private:
-    static void describe(const Shared& shared, BenchResult& result) {
-        const Simulation& simulation = shared.runs.front().simulation();
+    /// Adds what is known when all repetitions are over, and what is measured then.
+    static void complete(Shared& shared, BenchResult& result) {
+        BenchRun& run = shared.runs.front();
+        const Simulation& simulation = run.simulation();
         result.about = shared.about.about;
         result.isa = simulation.isa();
-        result.particles = static_cast<double>(simulation.particle_count());
         const ParticleFrame frame = simulation.particle_frame();
         double squares = 0.0;
         for (const Vec3& v : frame.velocity) {
             squares += dot(v, v);
         }
-        result.rms_speed = std::sqrt(squares / result.particles);
+        result.rms_speed = std::sqrt(squares / result.counts.particles);
+        const Scene scene = shared.about.scene();
+        const Stage& stage = scene.stages.back();
+        result.work = work_of(
+            result.counts,
+            stage.contact.value_or(scene.contact),
+            !std::holds_alternative<FixedTimestep>(stage.timestep.value_or(scene.timestep)));
+        result.speed = measure_speed(result.isa, result.work.working_set);
+        result.phases = run.time_phases();
     }
 
     const std::map<std::string, std::shared_ptr<Shared>>& shared_;

@@ -11,6 +11,8 @@ namespace grainbench::cli {
 struct BenchMachine {
     std::string cpu_model;
     std::string compiler;
+    std::string flags;
+    std::string program;  ///< version and commit
 };
 
 struct BenchArguments {

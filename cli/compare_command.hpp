@@ -4,6 +4,7 @@
 #include "cli/streams.hpp"
 
 #include <filesystem>
+#include <optional>
 
 namespace grainbench::cli {
 
@@ -11,7 +12,9 @@ struct CompareArguments {
     std::filesystem::path first;
     std::filesystem::path second;
     std::filesystem::path difference;  ///< file for a difference picture; empty = none
-    double threshold = 0.02;           ///< largest 1 - SSIM that passes
+    /// What passes: largest 1 - SSIM of pictures, growth of a time, relative deviation of a history
+    /// (0 = the same bits); absent = the usual one of the kind.
+    std::optional<double> threshold;
     bool json = false;
 };
 

@@ -157,14 +157,18 @@ private:
     }
 
     void add_compare() {
-        CLI::App* sub = app_.add_subcommand("compare", "Say how alike two pictures are");
-        sub->add_option("A", compare_.first, "PNG file")->required();
-        sub->add_option("B", compare_.second, "PNG file of the same size")->required();
+        CLI::App* sub = app_.add_subcommand(
+            "compare", "Say how alike two pictures, bench results or run folders are");
+        sub->add_option("A", compare_.first, "PNG file, bench result (.json) or run folder")
+            ->required();
+        sub->add_option("B", compare_.second, "Another of the same kind")->required();
         sub->add_option(
-            "-o,--output", compare_.difference, "PNG file that shows where they differ");
-        sub->add_option("--threshold", compare_.threshold, "Exit code 4 if 1 - SSIM is more")
-            ->check(CLI::Range(0.0, 2.0))
-            ->capture_default_str();
+            "-o,--output", compare_.difference, "PNG file that shows where pictures differ");
+        sub->add_option("--threshold",
+                        compare_.threshold,
+                        "Exit code 4 if more: 1 - SSIM of pictures (0.02 if absent), growth of a "
+                        "time (0.1), relative deviation of a history (0: the same bits)")
+            ->check(CLI::Range(0.0, 2.0));
         sub->add_flag("--json", compare_.json, "Print JSON in place of text");
         finish(*sub, "grainbench compare baseline.png new.png -o difference.png", [this] {
             return compare_command(compare_, streams_);
@@ -213,7 +217,13 @@ private:
             ->check(CLI::PositiveNumber);
         finish(*sub, "grainbench bench --filter shaken", [this] {
             return bench_command(
-                bench_, {cpu_model(), build_info().compiler}, streams_.out, streams_.err);
+                bench_,
+                {cpu_model(),
+                 build_info().compiler,
+                 build_info().flags,
+                 "grainbench " + build_info().version + " (" + build_info().git_hash + ")"},
+                streams_.out,
+                streams_.err);
         });
     }
 

@@ -9,7 +9,7 @@ packages=(
   libvtk9-dev libopenmpi-dev libhdf5-dev nlohmann-json3-dev libvalijson-dev  # io
   libosmesa6-dev libpng-dev                                # render
   libcli11-dev libspdlog-dev libfmt-dev                    # cli
-  libgtest-dev libbenchmark-dev                            # tests
+  libgtest-dev libbenchmark-dev valgrind                   # tests
 )
 
 if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then

@@ -142,8 +142,7 @@ Scene large_bed_at_rest() {
     return scene;
 }
 
-Scene effects_bed(const Contact& contact) {
-    Scene scene = packed_box(20, 20, 10);
+Scene effects_bed(const Contact& contact, Scene scene) {
     scene.contact = settling(contact);
     scene.stages = {stage_of(0.015, scene.contact),
                     stage_of(for_ever, contact, FixedTimestep{5e-6})};
@@ -153,20 +152,56 @@ Scene effects_bed(const Contact& contact) {
 BenchCase effects_case(const char* name, const char* about, const Contact& contact) {
     return {.name = std::string("effects/") + name,
             .about = about,
-            .scene = [contact] { return effects_bed(contact); },
+            .scene = [contact] { return effects_bed(contact, packed_box(20, 20, 10)); },
             .prepared = 0.016,
             .span = 0.002,
             .repetitions = 7};
 }
 
+Contact linear_contact() {
+    return spring(LinearSpring::Params{}, stiffness);
+}
+
+Contact damped_contact() {
+    Contact contact = linear_contact();
+    contact.damping = example_damping();
+    return contact;
+}
+
+Contact rough_contact() {
+    Contact contact = linear_contact();
+    contact.friction = example_friction();
+    return contact;
+}
+
+Contact incremental_contact() {
+    return spring(IncrementalSpring::Params{}, stiffness);
+}
+
+BenchCase counted_case(const char* name, const Contact& contact) {
+    return {.name = name,
+            .about = "384 balls at rest",
+            .scene = [contact] { return effects_bed(contact, packed_box(8, 8, 6)); },
+            .prepared = 0.016,
+            .span = 0.001,
+            .repetitions = 1};
+}
+
+/// Thrown about within a period short enough to be counted whole.
+Scene small_shaken_box(const Timestep& timestep) {
+    Scene scene = packed_box(8, 8, 6);
+    scene.contact = example_contact();
+    scene.timestep = timestep;
+    Stage stage;
+    stage.duration = for_ever;
+    stage.motions = {{"box", SmoothedSquareMotion{.frequency = 40.0, .amplitude = 0.35}}};
+    scene.stages = {stage};
+    return scene;
+}
+
 }  // namespace
 
 std::vector<BenchCase> bench_cases() {
-    const Contact linear = spring(LinearSpring::Params{}, stiffness);
-    Contact damped = linear;
-    damped.damping = example_damping();
-    Contact rough = linear;
-    rough.friction = example_friction();
     return {
         {.name = "shaken_bed/fixed_step",
          .about = "the example's bed, shaken at 10 Hz, step 1e-5 s, over one period",
@@ -192,14 +227,34 @@ std::vector<BenchCase> bench_cases() {
          .prepared = 0.021,
          .span = 0.0005,
          .repetitions = 5},
-        effects_case("linear_spring", "4000 balls at rest: absolute normal spring alone", linear),
-        effects_case("linear_spring_and_damping", "the same with dashpots", damped),
-        effects_case("linear_spring_and_friction", "the same with friction", rough),
-        effects_case("incremental_spring",
-                     "incremental normal spring alone",
-                     spring(IncrementalSpring::Params{}, stiffness)),
+        effects_case(
+            "linear_spring", "4000 balls at rest: absolute normal spring alone", linear_contact()),
+        effects_case("linear_spring_and_damping", "the same with dashpots", damped_contact()),
+        effects_case("linear_spring_and_friction", "the same with friction", rough_contact()),
+        effects_case(
+            "incremental_spring", "incremental normal spring alone", incremental_contact()),
         effects_case("all", "incremental spring, friction and dashpots", example_contact()),
     };
+}
+
+std::vector<BenchCase> counted_cases() {
+    return {{.name = "shaken",
+             .about = "384 balls in a shaken box, over one period",
+             .scene = [] { return small_shaken_box(FixedTimestep{1e-5}); },
+             .prepared = 0.1,
+             .span = 0.025,
+             .repetitions = 1},
+            {.name = "shaken_automatic_step",
+             .about = "the same with the automatic step",
+             .scene = [] { return small_shaken_box(AutomaticTimestep{}); },
+             .prepared = 0.1,
+             .span = 0.025,
+             .repetitions = 1},
+            counted_case("rest_linear_spring", linear_contact()),
+            counted_case("rest_linear_spring_and_damping", damped_contact()),
+            counted_case("rest_linear_spring_and_friction", rough_contact()),
+            counted_case("rest_incremental_spring", incremental_contact()),
+            counted_case("rest_all", example_contact())};
 }
 
 }  // namespace grainbench::cli

@@ -22,4 +22,8 @@ struct BenchCase {
 /// All benchmarks, in the order of the report.
 std::vector<BenchCase> bench_cases();
 
+/// Small scenes whose instructions are counted under test (tests/performance): each effect on and
+/// off. Times and repetitions are those of one count.
+std::vector<BenchCase> counted_cases();
+
 }  // namespace grainbench::cli

@@ -2,10 +2,13 @@
 /// Simulation::advance only.
 #pragma once
 
+#include "core/phases.hpp"
 #include "core/simulation.hpp"
 
 #include "cli/bench/cases.hpp"
+#include "cli/bench/work_model.hpp"
 
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -21,9 +24,13 @@ struct BenchTiming {
     double touching = 0.0;  ///< sum over the cycles; so the next two
     double objects = 0.0;
     double candidates = 0.0;
+    double loaded = 0.0;  ///< particles that touch anything; sampled more rarely
     double searches = 0.0;
     double candidate_builds = 0.0;
 };
+
+/// Seconds by Phase.
+using PhaseTimes = std::array<double, phase_count>;
 
 /// One running copy of a case; keeps its state from one repetition to the next.
 class BenchRun {
@@ -35,9 +42,16 @@ public:
 
     BenchTiming time_one_span();
 
+    /// Steps three more spans with a clock in them and keeps the quickest. The clock costs a few
+    /// percent of small scenes, so that nothing else is timed meanwhile. Returns seconds on the
+    /// wall per particle-step.
+    PhaseTimes time_phases();
+
     const Simulation& simulation() const { return *simulation_; }
 
 private:
+    PhaseTimes time_phases_of_one_span();
+
     BenchCase case_;
     std::optional<Simulation> simulation_;
 };

@@ -29,6 +29,24 @@ if(GRAINBENCH_WERROR)
     target_compile_options(grainbench_warnings INTERFACE -Werror)
 endif()
 
+# Flags of STEM_scalar.cpp, STEM_sse4.cpp, ...: one file per instruction set, each with its own
+# (share/doc/decisions/0001). Sanitizers make so much of a pass that -O3 would take the compiler tens
+# of minutes.
+function(grainbench_instruction_sets stem)
+    set(optimisation -O3)
+    if(GRAINBENCH_SANITIZE)
+        set(optimisation -O1)
+    endif()
+    set(scalar -DHWY_COMPILE_ONLY_SCALAR)
+    set(sse4 -march=nehalem -maes -mpclmul)
+    set(avx2 -march=haswell -maes -mpclmul)
+    set(avx512 -march=skylake-avx512 -mprefer-vector-width=512)
+    foreach(isa IN ITEMS scalar sse4 avx2 avx512)
+        set_source_files_properties(${stem}_${isa}.cpp PROPERTIES
+            COMPILE_OPTIONS "${optimisation};${${isa}}")
+    endforeach()
+endfunction()
+
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(hwy 1.0 REQUIRED)
 find_package(Threads REQUIRED)

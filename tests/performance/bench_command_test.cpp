@@ -6,6 +6,7 @@
 
 #include "cli/bench/cases.hpp"
 #include "cli/bench/timing.hpp"
+#include "cli/bench/work_model.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,7 +21,10 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const BenchMachine machine{.cpu_model = "some \"fast\" processor", .compiler = "some compiler"};
+const BenchMachine machine{.cpu_model = "some \"fast\" processor",
+                           .compiler = "some compiler",
+                           .flags = "-some -flags",
+                           .program = "grainbench 0.0.0 (none)"};
 
 BenchCase case_named(const std::string& name) {
     for (const BenchCase& bench_case : bench_cases()) {
@@ -45,6 +49,8 @@ TEST(BenchCommand, WritesTheSameNumbersAsJsonAndToItsFile) {
 
     const auto report = nlohmann::json::parse(out.str());
     EXPECT_EQ(report.at("cpu_model"), machine.cpu_model);
+    EXPECT_EQ(report.at("format"), "grainbench-bench/2");
+    EXPECT_EQ(report.at("program"), machine.program);
     EXPECT_EQ(report.at("threads"), 2);
     ASSERT_EQ(report.at("benchmarks").size(), 1U);
     const auto& row = report.at("benchmarks").at(0);
@@ -59,6 +65,42 @@ TEST(BenchCommand, WritesTheSameNumbersAsJsonAndToItsFile) {
     EXPECT_GT(row.at("touching"), 2.0);
     EXPECT_LT(row.at("touching"), row.at("objects"));
     EXPECT_LT(row.at("objects"), 7.0);
+    // Nothing in this scene bounds the step or is written; all else takes time.
+    for (const char* phase : {"integration", "detection", "contacts", "walls"}) {
+        EXPECT_GT(row.at("phases").at(phase), 0.0) << phase;
+    }
+    const auto& roofline = row.at("roofline");
+    EXPECT_GT(roofline.at("fraction"), 0.0);
+    EXPECT_GT(roofline.at("bandwidth"), 1e8);
+    EXPECT_GT(roofline.at("peak"), 1e8);
+}
+
+/// By hand from the table of share/doc/performance.md: nobody touches, nothing is listed.
+TEST(WorkModel, CountsTheFlightOfALoneParticle) {
+    Contact contact;
+    contact.normal = LinearSpring::Params{};
+    const Work work = work_of({.particles = 1.0}, contact, false);
+    EXPECT_EQ(work.operations, 18.0);
+    // Position and velocity read and written, the flag too; the position once more by the search.
+    EXPECT_EQ(work.bytes, 4.0 * 32.0 + 2.0 + 32.0);
+    EXPECT_EQ(work.working_set, 161.0);
+}
+
+/// A scene pays for the laws that it calls for, in the model as in the engine.
+TEST(WorkModel, CountsTheLawsOfAContact) {
+    Contact spring;
+    spring.normal = LinearSpring::Params{};
+    Contact rough = spring;
+    rough.friction = CoulombFriction::Params{.coefficient = 0.5};
+    const WorkCounts touching{.particles = 2.0, .touching = 0.5, .loaded = 1.0, .objects = 0.5};
+    const WorkCounts apart{.particles = 2.0, .touching = 0.0, .loaded = 0.0, .objects = 0.5};
+    const auto operations = [&](const WorkCounts& counts, const Contact& contact) {
+        return work_of(counts, contact, false).operations;
+    };
+    EXPECT_EQ(operations(apart, spring), operations(apart, rough));
+    // Opening speed 8, sliding 41, shear force 6, torque 21, friction 63; half a contact each.
+    EXPECT_EQ(operations(touching, rough) - operations(touching, spring), 0.5 * 139.0);
+    EXPECT_GT(work_of(touching, rough, false).bytes, work_of(touching, spring, false).bytes);
 }
 
 TEST(BenchCommand, NamesTheBenchmarksWhereNoneMatches) {
