@@ -1,7 +1,8 @@
 #include "cli/bench/report.hpp"
 
+#include "io/json/document.hpp"
+
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <numeric>
@@ -10,7 +11,7 @@ namespace grainbench::cli {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using io::Json;
 
 constexpr std::array<const char*, phase_count> phase_names = {
     "timestep", "integration", "detection", "contacts", "walls", "output"};
@@ -224,7 +225,7 @@ std::string bench_json(const BenchMachine& machine,
     for (const BenchResult& result : results) {
         rows.push_back(json_of(result));
     }
-    return json.dump(2) + "\n";
+    return io::pretty_text(json);
 }
 
 }  // namespace grainbench::cli

@@ -2,8 +2,9 @@
 
 #include "core/error.hpp"
 
+#include "io/json/document.hpp"
+
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -13,7 +14,7 @@
 namespace grainbench::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using io::Json;
 
 constexpr std::array<const char*, 4> verdict_names = {"same", "faster", "slower", "too slow"};
 
@@ -191,7 +192,7 @@ std::string to_json(const BenchComparison& comparison, double threshold) {
                                       {"noise", change.noise},
                                       {"verdict", name_of(change.verdict)}});
     }
-    return json.dump(2) + "\n";
+    return io::pretty_text(json);
 }
 
 }  // namespace grainbench::cli

@@ -1,11 +1,11 @@
 #include "cli/compare/run_comparison.hpp"
 
 #include "io/hdf5/history.hpp"
+#include "io/json/document.hpp"
 #include "io/manifest.hpp"
 #include "io/vtk/frame_reader.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <bit>
@@ -17,7 +17,7 @@ namespace grainbench::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using io::Json;
 
 bool same_bits(double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
@@ -277,7 +277,7 @@ std::string to_json(const RunComparison& c, double threshold) {
         json["first_differing_particle_file"] = c.first_differing_file;
     }
     json["same_last_state"] = c.same_last_state;
-    return json.dump(2) + "\n";
+    return io::pretty_text(json);
 }
 
 }  // namespace grainbench::cli

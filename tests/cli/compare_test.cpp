@@ -62,14 +62,16 @@ TEST(CompareBench, RefusesOtherFiles) {
 
 class CompareRuns : public ::testing::Test {
 protected:
-    static void SetUpTestSuite() {
-        folder_ = fs::path(::testing::TempDir()) / "compare-runs";
+    /// A folder for each test: they may run side by side.
+    void SetUp() override {
+        folder_ = fs::path(::testing::TempDir()) /
+                  ::testing::UnitTest::GetInstance()->current_test_info()->name();
         fs::remove_all(folder_);
         fs::create_directories(folder_);
         std::ofstream(folder_ / "cup.json") << cup_scene;
     }
 
-    static std::string run(const std::string& name, const std::string& setting) {
+    std::string run(const std::string& name, const std::string& setting) const {
         const std::string folder = (folder_ / name).string();
         std::vector<std::string> arguments{
             "run", (folder_ / "cup.json").string(), "-o", folder, "--quiet", "--set", setting};
@@ -77,7 +79,7 @@ protected:
         return folder;
     }
 
-    static inline fs::path folder_;
+    fs::path folder_;
 };
 
 TEST_F(CompareRuns, FindsEqualRunsEqual) {

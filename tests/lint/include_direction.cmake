@@ -15,6 +15,10 @@ set(angled_cli "^(CLI|benchmark|fmt|spdlog)/|^(unistd|sys/[a-z]+)[.]h$")
 set(quoted_tests "^(core|io|render|cli|tests)/")
 set(angled_tests "^")
 
+# The bench measures what the processor can do with loops of its own, compiled like those of the engine.
+set(quoted_bench "${quoted_cli}")
+set(angled_bench "${angled_cli}|^hwy/")
+
 # A law is one equation and reads nothing but what a law is.
 set(quoted_law "^core/(contact/law|describe)[.]hpp$")
 set(angled_law "^$")
@@ -25,6 +29,8 @@ foreach(layer IN LISTS lint_layers)
         set(rule ${layer})
         if(path MATCHES "^core/contact/laws/")
             set(rule law)
+        elseif(path MATCHES "^cli/bench/")
+            set(rule bench)
         endif()
         file(STRINGS ${ROOT}/${path} includes REGEX "^[ \t]*#[ \t]*include")
         foreach(line IN LISTS includes)
