@@ -11,8 +11,10 @@
 /// Signs    wall work is positive where the walls put energy into the particles.
 /// Limits   `numerical` is energy that the integrator loses, mostly where contacts open and close
 ///          within a step: a spring that acts for a whole step has not been deformed for a whole
-///          step. It falls with the step. `residual`, what (1) leaves, is round-off:
-///          each side is summed on its own, so that a wrong force, lever or wall velocity shows.
+///          step. It falls with the step. `residual`, what (1) leaves, is round-off and
+///          dt^2/8 times gravity times the present contact forces (the potential goes by positions,
+///          the work of gravity by full-step velocities): each side is summed on its own, so that a
+///          wrong force, lever or wall velocity shows.
 #pragma once
 
 #include "core/contact/pair_contacts.hpp"
