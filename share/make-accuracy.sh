@@ -1,11 +1,11 @@
 #!/bin/sh
-# Makes the tables and plots of share/doc/accuracy.md anew: about half an hour on two cores, most of it
+# Makes the tables and plots of share/doc/accuracy.md anew: about three quarters of an hour on two cores, most of it
 # for the 40 s problem. Runs are kept in out/accuracy/runs and used again by the same program.
 set -eu
 cd "$(dirname "$0")/.."
 program=${GRAINBENCH:-build/release/cli/grainbench}
-shown="stiffness timestep detection-calibration detection detection-convective ensemble facets upscaling"
-for study in $shown softest timestep-energy; do
+shown="stiffness softest timestep detection-calibration detection detection-convective ensemble facets upscaling"
+for study in $shown timestep-energy; do
     "$program" study "presets/studies/$study.json" -o "out/accuracy/$study" --cache out/accuracy/runs
 done
 "$program" study --single-contact -o out/accuracy/single-contact
