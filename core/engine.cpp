@@ -278,14 +278,15 @@ void Engine::find_contacts() {
     Renewal renewal = pairs_.update(cycle_, particles_, bed_shift_, *kernels_);
     enter(Phase::walls);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
-        renewal =
-            std::min(renewal, wall_contacts_[w].update(cycle_, particles_, walls_[w], *kernels_));
+        renewal = std::min(
+            renewal, wall_contacts_[w].update(cycle_, particles_, walls_[w], *kernels_, workers_));
     }
     enter(Phase::detection);
     bool changed = pairs_.find_touching(particles_, *kernels_, workers_);
     enter(Phase::walls);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
-        changed = wall_contacts_[w].find_touching(particles_, walls_[w], *kernels_) || changed;
+        changed =
+            wall_contacts_[w].find_touching(particles_, walls_[w], *kernels_, workers_) || changed;
     }
     if (detection_.create_on_overlap ? changed : renewal != Renewal::none) {
         update_stable_step();
@@ -302,7 +303,8 @@ void Engine::update_stable_step() {
     const bool touching_only = detection_.create_on_overlap;
     pairs_.add_steps(particles_, table_, touching_only, sums, *kernels_);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
-        wall_contacts_[w].add_steps(particles_, walls_[w], table_, touching_only, sums, *kernels_);
+        wall_contacts_[w].add_steps(
+            particles_, walls_[w], table_, touching_only, sums, *kernels_, workers_);
     }
     stable_ = sums_.limit(particles_, *kernels_);
     if (const auto* scaled = std::get_if<ScaledTimestep>(&scheme_)) {
@@ -315,7 +317,7 @@ double Engine::compute_touching_limit() {
     const StepSums sums = sums_.sums();
     pairs_.add_steps(particles_, table_, true, sums, *kernels_);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
-        wall_contacts_[w].add_steps(particles_, walls_[w], table_, true, sums, *kernels_);
+        wall_contacts_[w].add_steps(particles_, walls_[w], table_, true, sums, *kernels_, workers_);
     }
     return sums_.limit(particles_, *kernels_);
 }
@@ -343,7 +345,7 @@ void Engine::add_forces(double timestep) {
     enter(Phase::walls);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         wall_contacts_[w].add_forces(
-            particles_, walls_[w], table_, timestep, has_records_, *kernels_);
+            particles_, walls_[w], table_, timestep, has_records_, *kernels_, workers_);
     }
 }
 

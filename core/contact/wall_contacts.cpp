@@ -6,13 +6,27 @@ namespace grainbench {
 
 namespace {
 
-void append_bits(std::span<const std::uint64_t> words, std::vector<Index>& places) {
-    for (std::size_t w = 0; w < words.size(); ++w) {
+/// Entries in a part of the work: enough to be worth a thread.
+constexpr Index part_size = 2048;
+
+/// Particles whose patches are collected by one part of the work.
+constexpr Index collected_particles = 4096;
+
+/// Adds the places of the bits of words [first, last).
+void append_bits(std::span<const std::uint64_t> words,
+                 std::size_t first,
+                 std::size_t last,
+                 std::vector<Index>& places) {
+    for (std::size_t w = first; w < last; ++w) {
         for (std::uint64_t bits = words[w]; bits != 0; bits &= bits - 1) {
             places.push_back(static_cast<Index>(64 * w) +
                              static_cast<Index>(__builtin_ctzll(bits)));
         }
     }
+}
+
+std::size_t words_up_to(Index place) {
+    return (std::size_t{place} + 63) / 64;
 }
 
 bool has_bit(std::span<const std::uint64_t> words, Index place) {
@@ -40,33 +54,47 @@ WallContacts::WallContacts(const SearchSettings& settings, int history_size)
 Renewal WallContacts::update(std::uint64_t cycle,
                              const ParticleState& particles,
                              const WallBody& wall,
-                             const Kernels& kernels) {
+                             const Kernels& kernels,
+                             const Workers& workers) {
     const Renewal due =
         clock_.due(cycle, particles, wall.displacement(), !wall.is_turned(), kernels);
     if (due == Renewal::candidates) {
-        build_candidates(particles, wall);
+        build_candidates(particles, wall, workers);
     }
     if (due <= Renewal::objects) {
-        renew(particles, wall, kernels);
+        renew(particles, wall, kernels, workers);
         just_renewed_ = clock_.is_started();
         clock_.renewed(due, cycle, particles, wall.displacement());
     }
     return due;
 }
 
-void WallContacts::build_candidates(const ParticleState& particles, const WallBody& wall) {
+void WallContacts::build_candidates(const ParticleState& particles,
+                                    const WallBody& wall,
+                                    const Workers& workers) {
     const SearchSettings& settings = clock_.settings();
-    candidates_.clear();
-    for (Index slot = 0; slot < particles.size(); ++slot) {
-        patches_.clear();
-        const double reach =
-            settings.brute_force
-                ? 1e300
-                : (1.0 + settings.tolerance) * particles.radius(slot) + settings.slack;
-        wall.surface().collect(wall.to_wall(particles.position(slot)), reach, patches_);
-        for (const Index patch : patches_) {
-            candidates_.append(slot, patch);
+    std::vector<PairList> found((particles.size() + collected_particles - 1) / collected_particles);
+    workers.for_each(found.size(), [&](std::size_t part) {
+        const auto first = static_cast<Index>(part) * collected_particles;
+        const Index last = std::min(first + collected_particles, particles.size());
+        std::vector<Index> patches;
+        for (Index slot = first; slot < last; ++slot) {
+            patches.clear();
+            const double reach =
+                settings.brute_force
+                    ? 1e300
+                    : (1.0 + settings.tolerance) * particles.radius(slot) + settings.slack;
+            wall.surface().collect(wall.to_wall(particles.position(slot)), reach, patches);
+            for (const Index patch : patches) {
+                found[part].append(slot, patch);
+            }
         }
+    });
+    candidates_.clear();
+    for (const PairList& part : found) {
+        candidates_.i.insert(candidates_.i.end(), part.i.begin(), part.i.end());
+        candidates_.j.insert(candidates_.j.end(), part.j.begin(), part.j.end());
+        candidates_.count += part.count;
     }
     candidates_.pad();
 }
@@ -74,17 +102,16 @@ void WallContacts::build_candidates(const ParticleState& particles, const WallBo
 void WallContacts::test(const ParticleState& particles,
                         const WallBody& wall,
                         const PairList& list,
+                        Index first,
+                        Index last,
                         double scale,
                         double extra,
                         const Kernels& kernels) {
-    face_.resize(list.words());
-    doubt_.resize(list.words());
-    height_.resize(list.i.size());
     PatchQuery query{.position = particles.positions().data(),
                      .planes = wall.surface().planes().data(),
-                     .particle = list.i.data(),
-                     .patch = list.j.data(),
-                     .count = list.count,
+                     .particle = list.i.data() + first,
+                     .patch = list.j.data() + first,
+                     .count = last - first,
                      .shift = {wall.displacement().x, wall.displacement().y, wall.displacement().z},
                      .rotation = {},
                      .rotated = wall.is_turned(),
@@ -96,37 +123,81 @@ void WallContacts::test(const ParticleState& particles,
             query.rotation[3 * row + column] = wall.rotation()[3 * column + row];
         }
     }
-    kernels.test_patches(query, {face_.data(), doubt_.data(), height_.data()});
+    kernels.test_patches(
+        query, {face_.data() + first / 64, doubt_.data() + first / 64, height_.data() + first});
 }
 
 void WallContacts::renew(const ParticleState& particles,
                          const WallBody& wall,
-                         const Kernels& kernels) {
-    test(particles, wall, candidates_, 1.0 + clock_.settings().tolerance, 0.0, kernels);
-    for (std::size_t w = 0; w < face_.size(); ++w) {
-        face_[w] |= doubt_[w];
+                         const Kernels& kernels,
+                         const Workers& workers) {
+    face_.resize(candidates_.words());
+    doubt_.resize(candidates_.words());
+    height_.resize(candidates_.i.size());
+    const Index count = candidates_.count;
+    workers.for_each((count + part_size - 1) / part_size, [&](std::size_t part) {
+        const auto first = static_cast<Index>(part) * part_size;
+        const Index last = std::min(first + part_size, count);
+        test(particles,
+             wall,
+             candidates_,
+             first,
+             last,
+             1.0 + clock_.settings().tolerance,
+             0.0,
+             kernels);
+        for (std::size_t w = first / 64; w < words_up_to(last); ++w) {
+            face_[w] |= doubt_[w];
+        }
+    });
+    std::vector<Index> found;
+    append_bits(face_, 0, face_.size(), found);
+    objects_.renew(candidates_, found);
+    cut_into_parts();
+}
+
+/// Cuts where a particle's first entry is the first of a word.
+void WallContacts::cut_into_parts() {
+    const PairList& list = objects_.list();
+    std::size_t used = 0;
+    for (Index first = 0; first < list.count; ++used) {
+        Index last = first + part_size;
+        while (last < list.count && list.i[last] == list.i[last - 1]) {
+            last += 64;
+        }
+        last = std::min(last, list.count);
+        if (used == parts_.size()) {
+            parts_.emplace_back();
+        }
+        parts_[used].first = first;
+        parts_[used].last = last;
+        first = last;
     }
-    fresh_.clear();
-    append_bits(face_, fresh_);
-    objects_.renew(candidates_, fresh_);
+    parts_.resize(used);
+    face_.resize(list.words());
+    doubt_.resize(list.words());
+    now_.resize(list.words());
+    height_.resize(list.i.size());
 }
 
 void WallContacts::find_hits(const ParticleState& particles,
                              const WallBody& wall,
                              double extra,
-                             const Kernels& kernels) {
+                             const Kernels& kernels,
+                             Part& part) {
     const PairList& list = objects_.list();
-    test(particles, wall, list, 1.0, extra, kernels);
-    now_.resize(list.words());
-    for (std::size_t w = 0; w < now_.size(); ++w) {
+    test(particles, wall, list, part.first, part.last, 1.0, extra, kernels);
+    const std::size_t first_word = part.first / 64;
+    const std::size_t last_word = words_up_to(part.last);
+    for (std::size_t w = first_word; w < last_word; ++w) {
         now_[w] = face_[w] | doubt_[w];
     }
-    fresh_.clear();
-    append_bits(now_, fresh_);
-    hits_.clear();
-    for_each_particle(list, fresh_, [&](std::span<const Index> places) {
-        if (!add_faces(particles, wall, places)) {
-            resolve(particles, wall, extra, places);
+    part.near.clear();
+    append_bits(now_, first_word, last_word, part.near);
+    part.hits.clear();
+    for_each_particle(list, part.near, [&](std::span<const Index> places) {
+        if (!add_faces(particles, wall, places, part)) {
+            resolve(particles, wall, extra, places, part);
         }
     });
 }
@@ -134,8 +205,10 @@ void WallContacts::find_hits(const ParticleState& particles,
 /// Faces in different places need no rule. False, and nothing added, if these entries do.
 bool WallContacts::add_faces(const ParticleState& particles,
                              const WallBody& wall,
-                             std::span<const Index> places) {
-    const std::size_t first = hits_.size();
+                             std::span<const Index> places,
+                             Part& part) const {
+    std::vector<Hit>& hits = part.hits;
+    const std::size_t first = hits.size();
     const double* planes = wall.surface().planes().data();
     for (const Index place : places) {
         const double height = height_[place];
@@ -143,19 +216,19 @@ bool WallContacts::add_faces(const ParticleState& particles,
         const Vec3 up{plane[0], plane[1], plane[2]};
         const Hit hit{place, height > 0.0 ? -up : up, std::abs(height)};
         bool is_apart = has_bit(face_, place);
-        for (std::size_t h = first; h < hits_.size(); ++h) {
-            const Vec3 apart = hit.distance * hit.normal - hits_[h].distance * hits_[h].normal;
+        for (std::size_t h = first; h < hits.size(); ++h) {
+            const Vec3 apart = hit.distance * hit.normal - hits[h].distance * hits[h].normal;
             const double radius = particles.radius(objects_.list().i[place]);
             is_apart = is_apart && dot(apart, apart) > 1e-6 * radius * radius;
         }
         if (!is_apart) {
-            hits_.resize(first);
+            hits.resize(first);
             return false;
         }
-        hits_.push_back(hit);
+        hits.push_back(hit);
     }
-    for (std::size_t h = first; h < hits_.size(); ++h) {
-        hits_[h].normal = wall.direction_to_space(hits_[h].normal);
+    for (std::size_t h = first; h < hits.size(); ++h) {
+        hits[h].normal = wall.direction_to_space(hits[h].normal);
     }
     return true;
 }
@@ -163,53 +236,73 @@ bool WallContacts::add_faces(const ParticleState& particles,
 void WallContacts::resolve(const ParticleState& particles,
                            const WallBody& wall,
                            double extra,
-                           std::span<const Index> places) {
+                           std::span<const Index> places,
+                           Part& part) const {
     const PairList& list = objects_.list();
     const Index particle = list.i[places.front()];
-    patches_.clear();
+    part.patches.clear();
     for (const Index place : places) {
-        patches_.push_back(list.j[place]);
+        part.patches.push_back(list.j[place]);
     }
     WallHits found;
     wall.surface().resolve(wall.to_wall(particles.position(particle)),
                            particles.radius(particle) + extra,
-                           patches_,
+                           part.patches,
                            found);
-    const std::size_t first = hits_.size();
+    const auto first = static_cast<std::ptrdiff_t>(part.hits.size());
     for (const WallHit& hit : found.view()) {
-        const auto at = std::lower_bound(patches_.begin(), patches_.end(), hit.patch);
-        hits_.push_back({places[static_cast<std::size_t>(at - patches_.begin())],
-                         wall.direction_to_space(hit.normal),
-                         hit.distance});
+        const auto at = std::lower_bound(part.patches.begin(), part.patches.end(), hit.patch);
+        part.hits.push_back({places[static_cast<std::size_t>(at - part.patches.begin())],
+                             wall.direction_to_space(hit.normal),
+                             hit.distance});
     }
-    std::sort(hits_.begin() + static_cast<std::ptrdiff_t>(first),
-              hits_.end(),
-              [](const Hit& a, const Hit& b) { return a.place < b.place; });
+    std::sort(part.hits.begin() + first, part.hits.end(), [](const Hit& a, const Hit& b) {
+        return a.place < b.place;
+    });
 }
 
 bool WallContacts::find_touching(const ParticleState& particles,
                                  const WallBody& wall,
-                                 const Kernels& kernels) {
-    find_hits(particles, wall, 0.0, kernels);
-    std::fill(now_.begin(), now_.end(), 0);
-    for (const Hit& hit : hits_) {
-        now_[hit.place / 64] |= std::uint64_t{1} << (hit.place % 64);
-    }
-    bool changed = false;
-    for (std::size_t w = 0; w < now_.size(); ++w) {
-        changed = changed || now_[w] != objects_.acting()[w];
-    }
-    if (changed) {
-        hand_over(wall.surface());
-        if (just_renewed_) {
-            adopt_late_contacts();
+                                 const Kernels& kernels,
+                                 const Workers& workers) {
+    workers.for_each(parts_.size(), [&](std::size_t p) {
+        Part& part = parts_[p];
+        find_hits(particles, wall, 0.0, kernels, part);
+        part.has_changed = mark_hits(part);
+        if (part.has_changed) {
+            hand_over(wall.surface(), part);
+        }
+    });
+    const bool changed = std::any_of(
+        parts_.begin(), parts_.end(), [](const Part& part) { return part.has_changed; });
+    if (changed && just_renewed_) {
+        for (const Part& part : parts_) {
+            adopt_late_contacts(part);
         }
     }
     just_renewed_ = false;
-    objects_.set_touching(now_);
-    for (const Hit& hit : hits_) {
-        const double geometry[4] = {hit.normal.x, hit.normal.y, hit.normal.z, hit.distance};
-        std::copy_n(geometry, 4, objects_.extra(hit.place));
+    objects_.set_touching(now_, workers);
+    workers.for_each(parts_.size(), [&](std::size_t p) {
+        for (const Hit& hit : parts_[p].hits) {
+            const double geometry[4] = {hit.normal.x, hit.normal.y, hit.normal.z, hit.distance};
+            std::copy_n(geometry, 4, objects_.extra(hit.place));
+        }
+    });
+    return changed;
+}
+
+bool WallContacts::mark_hits(const Part& part) {
+    const std::size_t first_word = part.first / 64;
+    const std::size_t last_word = words_up_to(part.last);
+    for (std::size_t w = first_word; w < last_word; ++w) {
+        now_[w] = 0;
+    }
+    for (const Hit& hit : part.hits) {
+        now_[hit.place / 64] |= std::uint64_t{1} << (hit.place % 64);
+    }
+    bool changed = false;
+    for (std::size_t w = first_word; w < last_word; ++w) {
+        changed = changed || now_[w] != objects_.acting()[w];
     }
     return changed;
 }
@@ -218,29 +311,30 @@ bool WallContacts::find_touching(const ParticleState& particles,
 /// face that is met while another is left must start from nothing. A patch farther on counts as a
 /// neighbour where nothing but a sliver, passed within one step, can lie between: the same distance
 /// in the same direction.
-void WallContacts::hand_over(const Surface& surface) {
+void WallContacts::hand_over(const Surface& surface, Part& part) {
     constexpr double smallest_cosine = 0.5;
     constexpr double same_direction = 0.9999;
     constexpr double same_distance = 1e-3;
     const PairList& list = objects_.list();
-    opened_.clear();
-    for (std::size_t w = 0; w < now_.size(); ++w) {
+    part.opened.clear();
+    for (std::size_t w = part.first / 64; w < words_up_to(part.last); ++w) {
         for (std::uint64_t bits = objects_.acting()[w] & ~now_[w]; bits != 0; bits &= bits - 1) {
-            opened_.push_back(static_cast<Index>(64 * w) +
-                              static_cast<Index>(__builtin_ctzll(bits)));
+            part.opened.push_back(static_cast<Index>(64 * w) +
+                                  static_cast<Index>(__builtin_ctzll(bits)));
         }
     }
-    for_each_particle(list, opened_, [&](std::span<const Index> opened) {
+    for_each_particle(list, part.opened, [&](std::span<const Index> opened) {
         const Index particle = list.i[opened.front()];
         const auto first = std::lower_bound(
-            hits_.begin(), hits_.end(), particle, [&](const Hit& hit, Index wanted) {
+            part.hits.begin(), part.hits.end(), particle, [&](const Hit& hit, Index wanted) {
                 return list.i[hit.place] < wanted;
             });
         for (bool found = true; found;) {
             found = false;
             double best = smallest_cosine;
             std::pair<Index, Index> best_pair;
-            for (auto hit = first; hit != hits_.end() && list.i[hit->place] == particle; ++hit) {
+            for (auto hit = first; hit != part.hits.end() && list.i[hit->place] == particle;
+                 ++hit) {
                 for (const Index from : opened) {
                     const double* old = objects_.extra(from);
                     const double cosine = dot(hit->normal, Vec3{old[0], old[1], old[2]});
@@ -264,9 +358,9 @@ void WallContacts::hand_over(const Surface& surface) {
 }
 
 /// Near only since this renewal and overlapping already: found late.
-void WallContacts::adopt_late_contacts() {
+void WallContacts::adopt_late_contacts(const Part& part) {
     const PairList& list = objects_.list();
-    for_each_particle(list, fresh_, [&](std::span<const Index> places) {
+    for_each_particle(list, part.near, [&](std::span<const Index> places) {
         const bool was_near = std::any_of(places.begin(), places.end(), [&](Index place) {
             return objects_.was_listed(list.i[place], list.j[place]);
         });
@@ -279,31 +373,49 @@ void WallContacts::adopt_late_contacts() {
     });
 }
 
+std::pair<Index, Index> WallContacts::touching_of(const Part& part) const {
+    const auto touching = objects_.touching();
+    const auto first_from = [&](Index entry) {
+        return static_cast<Index>(
+            std::partition_point(touching.begin(),
+                                 touching.end(),
+                                 [&](TouchingContact contact) { return contact.place() < entry; }) -
+            touching.begin());
+    };
+    return {first_from(part.first), first_from(part.last)};
+}
+
 void WallContacts::add_forces(ParticleState& particles,
                               const WallBody& wall,
                               const ContactTable& table,
                               double timestep,
                               bool records,
-                              const Kernels& kernels) {
-    const Index count = touching_count();
+                              const Kernels& kernels,
+                              const Workers& workers) {
+    const std::size_t count = touching_count();
     if (records) {
-        records_.resize(std::size_t{count} * record_size);
+        records_.resize(count * record_size);
     }
-    force_.resize(4 * std::size_t{count});
+    force_.resize(4 * count);
     const WallVelocity& velocity = wall.velocity();
     const Vec3& centre = wall.rotation_centre();
-    kernels.wall_pass({.particles = particles.view(),
-                       .laws = table.view(timestep),
-                       .particle = objects_.list().i.data(),
-                       .touching = objects_.touching().data(),
-                       .touching_count = count,
-                       .velocity = {velocity.linear.x, velocity.linear.y, velocity.linear.z},
-                       .spin = {velocity.angular.x, velocity.angular.y, velocity.angular.z},
-                       .centre = {centre.x, centre.y, centre.z},
-                       .material = static_cast<double>(wall.material()),
-                       .rows = objects_.rows(),
-                       .force = force_.data(),
-                       .records = records ? records_.data() : nullptr});
+    const ParticleView view = particles.view();
+    workers.for_each(parts_.size(), [&](std::size_t p) {
+        const auto [first, last] = touching_of(parts_[p]);
+        kernels.wall_pass(
+            {.particles = view,
+             .laws = table.view(timestep),
+             .particle = objects_.list().i.data(),
+             .touching = objects_.touching().data() + first,
+             .touching_count = last - first,
+             .velocity = {velocity.linear.x, velocity.linear.y, velocity.linear.z},
+             .spin = {velocity.angular.x, velocity.angular.y, velocity.angular.z},
+             .centre = {centre.x, centre.y, centre.z},
+             .material = static_cast<double>(wall.material()),
+             .rows = objects_.rows(),
+             .force = force_.data() + 4 * std::size_t{first},
+             .records = records ? records_.data() + record_size * std::size_t{first} : nullptr});
+    });
 }
 
 void WallContacts::add_steps(ParticleState& particles,
@@ -311,31 +423,40 @@ void WallContacts::add_steps(ParticleState& particles,
                              const ContactTable& table,
                              bool touching_only,
                              const StepSums& sums,
-                             const Kernels& kernels) {
-    if (touching_only) {
-        hits_.clear();
-        for (Index t = 0; t < touching_count(); ++t) {
-            hits_.push_back({place(t), normal(t), distance(t)});
-        }
-    } else {
+                             const Kernels& kernels,
+                             const Workers& workers) {
+    if (!touching_only) {
         clock_.look_ahead(particles.smallest_radius());
-        // Against a wall only the particle travels, relative to it: once the horizon, not twice.
-        find_hits(particles, wall, clock_.horizon(), kernels);
     }
-    step_particle_.clear();
-    step_geometry_.clear();
-    for (const Hit& hit : hits_) {
-        step_particle_.push_back(objects_.list().i[hit.place]);
-        step_geometry_.insert(step_geometry_.end(),
-                              {hit.normal.x, hit.normal.y, hit.normal.z, hit.distance});
-    }
-    kernels.add_wall_steps({.particles = particles.view(),
-                            .laws = table.view(0.0),
-                            .particle = step_particle_.data(),
-                            .geometry = step_geometry_.data(),
-                            .count = static_cast<Index>(step_particle_.size()),
-                            .material = static_cast<double>(wall.material()),
-                            .sums = sums});
+    const ParticleView view = particles.view();
+    workers.for_each(parts_.size(), [&](std::size_t p) {
+        Part& part = parts_[p];
+        if (touching_only) {
+            part.hits.clear();
+            const auto [first, last] = touching_of(part);
+            for (Index t = first; t < last; ++t) {
+                part.hits.push_back({place(t), normal(t), distance(t)});
+            }
+        } else {
+            // Against a wall only the particle travels, relative to it: once the horizon, not
+            // twice.
+            find_hits(particles, wall, clock_.horizon(), kernels, part);
+        }
+        part.step_particle.clear();
+        part.step_geometry.clear();
+        for (const Hit& hit : part.hits) {
+            part.step_particle.push_back(objects_.list().i[hit.place]);
+            part.step_geometry.insert(part.step_geometry.end(),
+                                      {hit.normal.x, hit.normal.y, hit.normal.z, hit.distance});
+        }
+        kernels.add_wall_steps({.particles = view,
+                                .laws = table.view(0.0),
+                                .particle = part.step_particle.data(),
+                                .geometry = part.step_geometry.data(),
+                                .count = static_cast<Index>(part.step_particle.size()),
+                                .material = static_cast<double>(wall.material()),
+                                .sums = sums});
+    });
 }
 
 Vec3 WallContacts::point(const ParticleState& particles, Index t) const {
@@ -386,6 +507,7 @@ void WallContacts::load(const Archive& archive, const std::string& name) {
     candidates_.count = static_cast<Index>(particle.size());
     candidates_.pad();
     objects_.load(archive, name + "/objects");
+    cut_into_parts();
     const auto& force = archive.get<double>(name + "/force");
     force_.assign(force.begin(), force.end());
     const auto& records = archive.get<double>(name + "/records");

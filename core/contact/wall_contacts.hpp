@@ -8,9 +8,13 @@
 #include "core/walls/wall_body.hpp"
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace grainbench {
 
+/// All loops over entries run in parts of whole particles, so that parts share nothing and the bits
+/// do not depend on where they are cut.
 class WallContacts {
 public:
     WallContacts(const SearchSettings& settings, int history_size);
@@ -25,19 +29,22 @@ public:
     Renewal update(std::uint64_t cycle,
                    const ParticleState& particles,
                    const WallBody& wall,
-                   const Kernels& kernels);
+                   const Kernels& kernels,
+                   const Workers& workers);
 
     /// Finds the touching contacts and hands their history over. True if the set changed.
     bool find_touching(const ParticleState& particles,
                        const WallBody& wall,
-                       const Kernels& kernels);
+                       const Kernels& kernels,
+                       const Workers& workers);
 
     void add_forces(ParticleState& particles,
                     const WallBody& wall,
                     const ContactTable& table,
                     double timestep,
                     bool records,
-                    const Kernels& kernels);
+                    const Kernels& kernels,
+                    const Workers& workers);
 
     /// Adds to the sums for the stable step the contacts that touch or may touch soon, or only
     /// those that touch.
@@ -46,7 +53,8 @@ public:
                    const ContactTable& table,
                    bool touching_only,
                    const StepSums& sums,
-                   const Kernels& kernels);
+                   const Kernels& kernels,
+                   const Workers& workers);
 
     Index touching_count() const { return static_cast<Index>(objects_.touching().size()); }
 
@@ -91,32 +99,62 @@ private:
 
     Index place(Index t) const { return objects_.touching()[t].place(); }
 
-    void build_candidates(const ParticleState& particles, const WallBody& wall);
-    void renew(const ParticleState& particles, const WallBody& wall, const Kernels& kernels);
+    /// Work on the entries of some particles, with room of its own.
+    struct Part {
+        Index first = 0;  ///< entries [first, last); whole words of the bits by entry
+        Index last = 0;
+        bool has_changed = false;
+        std::vector<Index> near;       ///< places that may touch
+        std::vector<Index> patches;    ///< of one particle
+        std::vector<Index> opened;     ///< places
+        std::vector<Hit> hits;         ///< by place
+        Column<Index> step_particle;   ///< by contact that counts for the stable step
+        Column<double> step_geometry;  ///< packet by contact: normal, distance
+    };
 
-    /// Asks the planes of the patches about all entries of a list, for spheres of radius
-    /// scale * R + extra.
+    void build_candidates(const ParticleState& particles,
+                          const WallBody& wall,
+                          const Workers& workers);
+    void renew(const ParticleState& particles,
+               const WallBody& wall,
+               const Kernels& kernels,
+               const Workers& workers);
+    void cut_into_parts();
+
+    /// Asks the planes of the patches about the entries [first, last) of a list, for spheres of
+    /// radius scale * R + extra.
     void test(const ParticleState& particles,
               const WallBody& wall,
               const PairList& list,
+              Index first,
+              Index last,
               double scale,
               double extra,
               const Kernels& kernels);
 
-    /// Fills hits_ with the contacts of spheres of radius R + extra, by place.
+    /// Fills the hits of a part with the contacts of spheres of radius R + extra.
     void find_hits(const ParticleState& particles,
                    const WallBody& wall,
                    double extra,
-                   const Kernels& kernels);
+                   const Kernels& kernels,
+                   Part& part);
     bool add_faces(const ParticleState& particles,
                    const WallBody& wall,
-                   std::span<const Index> places);
+                   std::span<const Index> places,
+                   Part& part) const;
     void resolve(const ParticleState& particles,
                  const WallBody& wall,
                  double extra,
-                 std::span<const Index> places);
-    void hand_over(const Surface& surface);
-    void adopt_late_contacts();
+                 std::span<const Index> places,
+                 Part& part) const;
+
+    /// Sets the bits of what touches now; true if they are not those that act.
+    bool mark_hits(const Part& part);
+    void hand_over(const Surface& surface, Part& part);
+    void adopt_late_contacts(const Part& part);
+
+    /// The contacts among touching() that are entries of a part.
+    std::pair<Index, Index> touching_of(const Part& part) const;
 
     ListClock clock_;
     PairList candidates_;     ///< particle, patch
@@ -124,11 +162,7 @@ private:
     bool just_renewed_ = false;
     std::vector<std::uint64_t> face_, doubt_, now_;  ///< bit by entry
     Column<double> height_;                          ///< [m] by entry
-    Column<Index> found_;
-    std::vector<Hit> hits_;
-    std::vector<Index> patches_, opened_, fresh_;
-    Column<Index> step_particle_;   ///< by contact that counts for the stable step
-    Column<double> step_geometry_;  ///< packet by contact: normal, distance
+    std::vector<Part> parts_;
     Column<double> force_, records_;
     std::uint64_t late_ = 0;
 };
