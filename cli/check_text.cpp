@@ -40,9 +40,18 @@ std::string stage_text(const io::StageCheck& stage, std::size_t number) {
                                    stage.name,
                                    stage.duration,
                                    stage.expected_cycles);
-    text += fmt::format("  laws      {}; {} numbers of history per contact\n",
+    text += fmt::format("  laws      {}; {} numbers of history per contact, {} bytes; {}\n",
                         fmt::join(stage.laws, ", "),
-                        stage.scales.history_size);
+                        stage.scales.history_size,
+                        stage.scales.history_bytes,
+                        stage.scales.has_own_pass ? "a pass of their own" : "the general pass");
+    if (stage.scales.reach > 0.0) {
+        text += fmt::format("  cohesion  reaches over {:.3g} m\n", stage.scales.reach);
+    }
+    if (stage.scales.stiffens) {
+        text += fmt::format("  impacts   stiffnesses are those of an impact at {:.3g} m/s\n",
+                            stage.scales.impact_speed);
+    }
     if (stage.scales.times.empty()) {
         return text;
     }
@@ -64,11 +73,11 @@ std::string stage_text(const io::StageCheck& stage, std::size_t number) {
         limit.stiffness_s);
     const ContactTime& shortest = stage.scales.times.front();
     text += fmt::format(
-        "  contact   {:.3g} s at least, {} with {}: pi sqrt(m_c / k_n) with m_c {:.3e} kg, k_n "
-        "{:.3g} N/m",
+        "  contact   {:.3g} s at least, {} with {}: {} with m_c {:.3e} kg, k_n {:.3g} N/m",
         shortest.duration,
         shortest.first,
         shortest.second,
+        stage.scales.stiffens ? "4.03 sqrt(m_c / k_n)" : "pi sqrt(m_c / k_n)",
         shortest.mass,
         shortest.stiffness);
     if (stage.steps_per_contact) {

@@ -1,5 +1,7 @@
 #include "core/effects.hpp"
 
+#include "core/contact/contact_table.hpp"
+
 #include <algorithm>
 
 namespace grainbench {
@@ -59,11 +61,23 @@ private:
         if (contact.damping) {
             add(key_of(*contact.damping), pointer + "/damping");
         }
+        if (contact.cohesion) {
+            add(key_of(*contact.cohesion), pointer + "/cohesion");
+        }
+        if (contact.rolling) {
+            add(key_of(*contact.rolling), pointer + "/rolling");
+        }
+        if (contact.twisting) {
+            add(key_of(*contact.twisting), pointer + "/twisting");
+        }
     }
 
     void add_stage(const Stage& stage, const std::string& pointer) {
         for (std::size_t m = 0; m < stage.motions.size(); ++m) {
             add_motion(stage.motions[m].motion, at(pointer + "/motions", m) + "/motion");
+        }
+        if (stage.gravity) {
+            add("gravity", pointer + "/gravity");
         }
         if (stage.contact) {
             add_contact(*stage.contact, pointer + "/contact");
@@ -113,7 +127,8 @@ bool is_still(const WallMotion& motion) {
 bool has_shear_stiffness(const StiffnessLaw& law) {
     return std::visit(
         Overloaded{[](const ConstantStiffness::Params& p) { return p.shear > 0.0; },
-                   [](const DeformabilityStiffness::Params& p) { return p.ratio > 0.0; }},
+                   [](const DeformabilityStiffness::Params& p) { return p.ratio > 0.0; },
+                   [](const HertzStiffness::Params&) { return true; }},
         law);
 }
 
@@ -178,18 +193,47 @@ private:
                 acts = acts || (pair.damping && damps(*pair.damping));
             }
             if (!acts) {
-                add(pointer + "/damping", "both damping ratios are 0");
+                add(pointer + "/damping", "its damping ratios are 0");
             }
+        }
+        add_idle(contact, contact.rolling, &PairContact::rolling, pointer + "/rolling");
+        add_idle(contact, contact.twisting, &PairContact::twisting, pointer + "/twisting");
+        add_idle(contact, contact.cohesion, &PairContact::cohesion, pointer + "/cohesion");
+    }
+
+    /// A law whose strength is 0 in the scene and in all pairs.
+    template <class Law>
+    void add_idle(const Contact& contact,
+                  const std::optional<Law>& law,
+                  std::optional<Law> PairContact::*own,
+                  const std::string& pointer) {
+        const auto acts = [](const std::optional<Law>& one) {
+            return one && std::visit([](const auto& p) { return strength(p) > 0.0; }, *one);
+        };
+        if (law && !acts(law) &&
+            std::none_of(contact.pairs.begin(), contact.pairs.end(), [&](const PairContact& pair) {
+                return acts(pair.*own);
+            })) {
+            add(pointer, "its strength is 0");
         }
     }
 
+    static double strength(const LinearCohesion::Params& p) { return p.force; }
+
+    static double strength(const RollingResistance::Params& p) { return p.coefficient; }
+
+    static double strength(const TwistingResistance::Params& p) { return p.coefficient; }
+
     static double coefficient(const FrictionLaw& law) {
-        return std::get<CoulombFriction::Params>(law).coefficient;
+        return std::visit([](const auto& p) { return p.coefficient; }, law);
     }
 
     static bool damps(const DampingLaw& law) {
-        const auto& dashpots = std::get<ViscousDamping::Params>(law);
-        return dashpots.normal > 0.0 || dashpots.shear > 0.0;
+        return std::visit(
+            Overloaded{
+                [](const ViscousDamping::Params& p) { return p.normal > 0.0 || p.shear > 0.0; },
+                [](const RestitutionDamping::Params& p) { return p.restitution < 1.0; }},
+            law);
     }
 
     void add_output(const Output& output,
@@ -224,7 +268,20 @@ std::vector<std::string> laws_of(const Contact& contact) {
     if (contact.damping) {
         laws.push_back(key_of(*contact.damping));
     }
+    if (contact.cohesion) {
+        laws.push_back(key_of(*contact.cohesion));
+    }
+    if (contact.rolling) {
+        laws.push_back(key_of(*contact.rolling));
+    }
+    if (contact.twisting) {
+        laws.push_back(key_of(*contact.twisting));
+    }
     return laws;
+}
+
+double reach_of(const Scene& scene, const Contact& contact) {
+    return ContactTable(contact, Materials(scene)).reach();
 }
 
 std::vector<IdleEffect> idle_effects(const Scene& scene) {

@@ -20,6 +20,9 @@ std::vector<Effect> effects_of(const Scene& scene);
 /// Keys of the laws that act in a contact, in the order in which they are evaluated.
 std::vector<std::string> laws_of(const Contact& contact);
 
+/// Gap over which the cohesion of these laws acts [m]; names of pairs must be known.
+double reach_of(const Scene& scene, const Contact& contact);
+
 /// An effect that is on but changes nothing.
 struct IdleEffect {
     std::string pointer;

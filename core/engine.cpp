@@ -33,6 +33,10 @@ constexpr double wall_slack_per_radius = 1.0;
 /// Way of one cycle, over the largest radius, after which no grid could hold the particles [1].
 constexpr double hopeless_travel = 1e6;
 
+/// Cycles after which the stable step looks again at overlaps that grow: a contact takes ten or
+/// more from its first touch to half its depth, which the expected impact covers meanwhile.
+constexpr std::uint64_t cycles_of_stiffening = 16;
+
 SearchSettings search_settings(const Detection& detection,
                                double smallest_radius,
                                bool brute_force) {
@@ -99,6 +103,12 @@ Engine::Engine(const Scene& scene, std::uint64_t seed, const SimulationOptions& 
             bed_velocity_ += particles_.velocity(slot);
         }
         bed_velocity_ = (1.0 / particles_.size()) * bed_velocity_;
+        for (Index slot = 0; slot < particles_.size(); ++slot) {
+            const Vec3 v = particles_.velocity(slot) - bed_velocity_;
+            fastest_ = {std::max(fastest_.x, std::abs(v.x)),
+                        std::max(fastest_.y, std::abs(v.y)),
+                        std::max(fastest_.z, std::abs(v.z))};
+        }
     }
 }
 
@@ -120,11 +130,15 @@ void Engine::begin_stage(const Stage& stage) {
         }
         table_ = next;
     }
+    if (stage.gravity) {
+        change_gravity(*stage.gravity);
+    }
     if (stage.timestep) {
         change_scheme(*stage.timestep);
     }
     // Where inertia is scaled, gravity must pull at the real mass: it joins the forces.
     gravity_ = std::holds_alternative<ScaledTimestep>(scheme_) ? Vec3{} : scene_gravity_;
+    table_.expect_impacts(1.0);
     single_contact_ = StableStep::single_contact_limit(particles_, table_, materials_.count());
     if (!started_) {
         started_ = true;
@@ -138,6 +152,16 @@ void Engine::begin_stage(const Stage& stage) {
         }
     }
     update_stable_step();
+}
+
+void Engine::change_gravity(const Vec3& next) {
+    const Vec3 change = next - scene_gravity_;
+    scene_gravity_ = next;
+    if (started_ && std::holds_alternative<ScaledTimestep>(scheme_)) {
+        particles_.add_weight(change);  // among the forces that wait for their second half kick
+    } else if (started_ && ledger_) {
+        ledger_->change_gravity(particles_, change);
+    }
 }
 
 void Engine::change_scheme(const Timestep& next) {
@@ -155,6 +179,16 @@ void Engine::change_scheme(const Timestep& next) {
             particles_.scale_inertia(slot, 1.0);
         }
     }
+}
+
+/// Twice the fastest particle, or a wall against it, and what falling its diameter adds.
+double Engine::impact_speed() const {
+    double speed = 2.0 * norm(fastest_);
+    for (const WallBody& wall : walls_) {
+        speed = std::max(speed, wall.relative_speed_bound(fastest_, bed_velocity_));
+    }
+    const double fall = 4.0 * norm(scene_gravity_) * particles_.smallest_radius();
+    return std::max(std::sqrt(speed * speed + fall), 1e-6);
 }
 
 void Engine::step() {
@@ -192,8 +226,9 @@ double Engine::choose_timestep() const {
     // A particle in free flight must meet its first contact at a step that this contact can bear.
     // Only contacts created on overlap come unannounced: there the step grows until something
     // touches.
+    const double single_contact = single_contact_ * table_.step_of_impact();
     if (!detection_.create_on_overlap || timestep_ == 0.0) {
-        timestep = std::min(timestep, automatic.safety_factor * single_contact_);
+        timestep = std::min(timestep, automatic.safety_factor * single_contact);
     }
     timestep = std::min(timestep, automatic.maximum.value_or(timestep));
     // The kinematic limit can only bind where a particle nearly crosses its tolerance in a step.
@@ -202,7 +237,7 @@ double Engine::choose_timestep() const {
                                      fastest_.y + std::abs(bed_velocity_.y),
                                      fastest_.z + std::abs(bed_velocity_.z)});
     if (timestep_ == 0.0 || 2.0 * fastest * timestep > epsilon ||
-        timestep > automatic.safety_factor * single_contact_) {
+        timestep > automatic.safety_factor * single_contact) {
         timestep = std::min(timestep, kinematic_limit(particles_, gravity_, detection_.tolerance));
     }
     return std::isfinite(timestep) ? timestep : unlimited_timestep;
@@ -282,13 +317,15 @@ void Engine::find_contacts() {
             renewal, wall_contacts_[w].update(cycle_, particles_, walls_[w], *kernels_, workers_));
     }
     enter(Phase::detection);
-    bool changed = pairs_.find_touching(particles_, *kernels_, workers_);
+    bool changed = pairs_.find_touching(particles_, table_.reach(), *kernels_, workers_);
     enter(Phase::walls);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
-        changed =
-            wall_contacts_[w].find_touching(particles_, walls_[w], *kernels_, workers_) || changed;
+        changed = wall_contacts_[w].find_touching(
+                      particles_, walls_[w], table_.reach(), *kernels_, workers_) ||
+                  changed;
     }
-    if (detection_.create_on_overlap ? changed : renewal != Renewal::none) {
+    const bool is_stale = table_.stiffens() && cycle_ % cycles_of_stiffening == 0;
+    if (is_stale || (detection_.create_on_overlap ? changed : renewal != Renewal::none)) {
         update_stable_step();
     }
 }
@@ -298,7 +335,10 @@ void Engine::update_stable_step() {
         return;
     }
     enter(Phase::timestep);
-    sums_.clear(table_.rotation_rules());
+    if (table_.stiffens()) {
+        table_.expect_impacts(impact_speed());
+    }
+    sums_.clear(table_.rotation_rules(), table_.rolling_ratio(), table_.twisting_ratio());
     const StepSums sums = sums_.sums();
     const bool touching_only = detection_.create_on_overlap;
     pairs_.add_steps(particles_, table_, touching_only, sums, *kernels_);
@@ -313,11 +353,14 @@ void Engine::update_stable_step() {
 }
 
 double Engine::compute_touching_limit() {
-    sums_.clear(table_.rotation_rules());
+    ContactTable as_deep_as_now = table_;
+    as_deep_as_now.expect_impacts(0.0);
+    sums_.clear(table_.rotation_rules(), table_.rolling_ratio(), table_.twisting_ratio());
     const StepSums sums = sums_.sums();
-    pairs_.add_steps(particles_, table_, true, sums, *kernels_);
+    pairs_.add_steps(particles_, as_deep_as_now, true, sums, *kernels_);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
-        wall_contacts_[w].add_steps(particles_, walls_[w], table_, true, sums, *kernels_, workers_);
+        wall_contacts_[w].add_steps(
+            particles_, walls_[w], as_deep_as_now, true, sums, *kernels_, workers_);
     }
     return sums_.limit(particles_, *kernels_);
 }

@@ -110,8 +110,10 @@ private:
         }
     }
 
+    void change_gravity(const Vec3& next);
     void change_scheme(const Timestep& next);
     double choose_timestep() const;
+    double impact_speed() const;
     void move(double timestep);
     MotionPass move_particles(double timestep);
     bool few_are_loaded() const;

@@ -178,6 +178,39 @@ Contact incremental_contact() {
     return spring(IncrementalSpring::Params{}, stiffness);
 }
 
+/// Laws beyond those of the linear contact.
+std::vector<BenchCase> further_effects() {
+    Contact rolling = rough_contact();
+    rolling.damping = example_damping();
+    Contact cohesive = rolling;
+    cohesive.cohesion = LinearCohesion::Params{1e-4, 1e-6};
+    rolling.rolling = RollingResistance::Params{0.05};
+    Contact twisting = rolling;
+    twisting.twisting = TwistingResistance::Params{0.05};
+    Contact hertz;
+    hertz.stiffness = HertzStiffness::Params{.young_modulus = 1e8, .poisson_ratio = 0.3};
+    hertz.normal = HertzSpring::Params{};
+    Contact mindlin = hertz;
+    mindlin.friction = MindlinFriction::Params{0.6};
+    mindlin.damping = RestitutionDamping::Params{0.9};
+    Contact adhesive = mindlin;
+    adhesive.normal = JkrAdhesion::Params{1e-4};
+    return {
+        effects_case("walton_braun_spring",
+                     "latching spring alone",
+                     spring(WaltonBraunSpring::Params{0.9}, stiffness)),
+        effects_case(
+            "linear_with_cohesion", "absolute spring, friction, dashpots, cohesion", cohesive),
+        effects_case("linear_with_rolling",
+                     "absolute spring, friction, dashpots, rolling resistance",
+                     rolling),
+        effects_case("linear_with_rolling_and_twisting", "the same with twisting", twisting),
+        effects_case("hertz_spring", "Hertz's spheres without friction or dashpots", hertz),
+        effects_case("hertz_mindlin", "the same with friction and dashpots", mindlin),
+        effects_case("jkr_adhesion", "the same with adhesion", adhesive),
+    };
+}
+
 BenchCase counted_case(const char* name, const Contact& contact) {
     return {.name = name,
             .about = "384 balls at rest",
@@ -202,7 +235,7 @@ Scene small_shaken_box(const Timestep& timestep) {
 }  // namespace
 
 std::vector<BenchCase> bench_cases() {
-    return {
+    std::vector<BenchCase> cases{
         {.name = "shaken_bed/fixed_step",
          .about = "the example's bed, shaken at 10 Hz, step 1e-5 s, over one period",
          .scene = [] { return shaken_bed(FixedTimestep{1e-5}); },
@@ -235,6 +268,10 @@ std::vector<BenchCase> bench_cases() {
             "incremental_spring", "incremental normal spring alone", incremental_contact()),
         effects_case("all", "incremental spring, friction and dashpots", example_contact()),
     };
+    for (BenchCase& one : further_effects()) {
+        cases.push_back(std::move(one));
+    }
+    return cases;
 }
 
 std::vector<BenchCase> counted_cases() {

@@ -43,6 +43,15 @@ void soften(const Contact& contact,
                               },
                               [&](const DeformabilityStiffness::Params& p) {
                                   changes.push_back(change(at + "/scale", factor * p.scale));
+                              },
+                              [&](const HertzStiffness::Params& p) {
+                                  changes.push_back(
+                                      change(at + "/young_modulus", factor * p.young_modulus));
+                                  for (std::size_t m = 0; m < p.materials.size(); ++m) {
+                                      changes.push_back(change(
+                                          fmt::format("{}/materials/{}/young_modulus", at, m),
+                                          factor * p.materials[m].young_modulus));
+                                  }
                               }},
                    law);
     };

@@ -25,8 +25,14 @@ public:
 
     const std::vector<std::string>& names() const { return names_; }
 
+    /// What laws may know of two of them; radii are those of all species.
+    MaterialPair pair_of(Index i, Index j) const;
+
 private:
     std::vector<std::string> names_;
+    std::vector<double> densities_;  ///< [kg/m^3] 0 for walls
+    double smallest_radius_ = 0.0;   ///< [m]
+    double largest_radius_ = 0.0;    ///< [m]
 };
 
 /// Stiffness of one contact [N/m].
@@ -51,9 +57,29 @@ public:
 
     int history_size() const { return layout_of(choice_).history_size; }
 
-    bool has_friction() const { return choice_[2] != 0; }
+    bool has_friction() const { return choice_[friction_slot] != 0; }
 
-    bool has_damping() const { return choice_[3] != 0; }
+    bool has_damping() const { return choice_[damping_slot] != 0; }
+
+    /// True if contacts stiffen as they deepen: sums for the stable step go stale by themselves.
+    bool stiffens() const {
+        return choice_[stiffness_slot] == index_of<HertzStiffness, stiffness_slot>();
+    }
+
+    /// Sets the speed of impacts that the stiffnesses of the stable step foresee [m/s]; 1 m/s at
+    /// first, 0 for contacts as deep as they are. It matters where contacts stiffen.
+    void expect_impacts(double speed);
+
+    /// Step of a lone contact at the expected speed over that at 1 m/s [1].
+    double step_of_impact() const { return step_of_impact_; }
+
+    /// Gap over which cohesion acts [m].
+    double reach() const { return reach_; }
+
+    /// Stiffness against rolling and twisting over K_s R^2, the largest of all pairs [1].
+    double rolling_ratio() const { return rolling_ratio_; }
+
+    double twisting_ratio() const { return twisting_ratio_; }
 
     LawView view(double timestep) const;
 
@@ -90,16 +116,26 @@ public:
     friend std::vector<int> history_sources(const ContactTable& before, const ContactTable& next);
 
 private:
-    void resolve_pair(const Contact& contact, const PairContact* changes, Index a, Index b);
+    void resolve_pair(const Contact& contact,
+                      const PairContact* changes,
+                      const Materials& materials,
+                      Index a,
+                      Index b);
     void put(Index a, Index b, int value, double x);
 
     LawChoice choice_{};
     Index materials_ = 0;
     std::vector<double> values_;
     std::vector<double> damping_;      ///< [1] two per pair: beta_n, beta_s
+    std::vector<double> growth_;       ///< [1] by pair: stiffness of unloading over that of loading
     std::vector<double> step_factor_;  ///< [1] two per pair: K / k
     bool rotation_rules_ = false;
     bool uniform_ = false;
+    double reach_ = 0.0;                      ///< [m]
+    double rolling_ratio_ = 0.0;              ///< [1]
+    double twisting_ratio_ = 0.0;             ///< [1]
+    double impact_ = 1.0;                     ///< [(m/s)^(4/5)]
+    double step_of_impact_ = 1.0;             ///< [1]
     std::vector<ContactStiffness> constant_;  ///< by pair, where it does not depend on radii
 };
 

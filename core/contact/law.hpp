@@ -7,7 +7,7 @@
 ///         static constexpr int value_count = 2;
 ///         static constexpr int history_size = 0;                    // doubles per contact
 ///         static constexpr Needs needs = Needs::none;
-///         static constexpr void resolve(const Params&, double* values);
+///         static void resolve(const Params&, const MaterialPair&, double* values);
 ///         template <class T>
 ///         static void apply(const Values<T>&, const Geometry<T>&, const T* history_in,
 ///                           T* history_out, Load<T>&);
@@ -22,16 +22,21 @@
 
 #include "core/types.hpp"
 
+#include <string_view>
+
 namespace grainbench {
 
 /// Parts of the geometry that a law reads. The pass computes the union of what its laws need.
 enum class Needs : unsigned {
     none = 0,
-    velocity = 1,        ///< relative velocity of the centres, v_n
-    spin = 2,            ///< spin in the relative velocity, v_s; torques result
-    effective_mass = 4,  ///< m_c
-    entry = 8,           ///< fraction of a first step spent in contact
-    radii = 16           ///< area radius and length of the deformability method
+    velocity = 1,           ///< relative velocity of the centres, v_n
+    spin = 2,               ///< spin in the relative velocity, v_s; torques result
+    effective_mass = 4,     ///< m_c
+    entry = 8,              ///< fraction of a first step spent in contact
+    radii = 16,             ///< area radius and length of the deformability method
+    effective_radius = 32,  ///< R*
+    relative_spin = 64,     ///< spin of j against i; moments result
+    gap = 128               ///< acts over a gap; attractions result
 };
 
 constexpr Needs operator|(Needs a, Needs b) {
@@ -41,6 +46,18 @@ constexpr Needs operator|(Needs a, Needs b) {
 constexpr bool contains(Needs set, Needs part) {
     return (static_cast<unsigned>(set) & static_cast<unsigned>(part)) != 0;
 }
+
+/// What a law may know of two materials when its values are resolved.
+struct MaterialPair {
+    std::string_view i{}, j{};     ///< names
+    double density = 0.0;          ///< [kg/m^3] the larger of the species'
+    double smallest_radius = 0.0;  ///< [m] of the species
+    double largest_radius = 0.0;   ///< [m]
+    bool hertzian = false;         ///< the stiffness is Hertz's
+    double modulus = 0.0;          ///< [Pa] E*, of Hertz's stiffness
+    double shear_modulus = 0.0;    ///< [Pa] G*
+    double relative_depth = 0.0;   ///< [1] overlap over R* that adhesion alone makes
+};
 
 /// Kinematics of one contact per lane. Body i is a particle; j is a particle or a wall.
 template <class T>
@@ -55,6 +72,9 @@ struct Geometry {
     T mean_spin;                 ///< [rad/s] mean of both bodies' spin about n
     T area_radius;               ///< [m] smaller radius; R_i against a wall
     T length;                    ///< [m] R_i + R_j; R_i against a wall
+    T effective_radius;          ///< [m] R_i R_j / (R_i + R_j); R_i against a wall
+    Vec3Of<T> relative_spin;     ///< [rad/s] of j against i
+    T gap;                       ///< [m] between the surfaces, negative in contact
 };
 
 /// Forces of one contact per lane; acts on j, its opposite on i.
@@ -66,13 +86,17 @@ struct Load {
     T stiffness_s{};            ///< [N/m]
     T root_stiffness_n{};       ///< [sqrt(N/m)] for dashpots, whose constants go with the root
     T root_stiffness_s{};       ///< [sqrt(N/m)]
-    T normal{};                 ///< [N] spring part, compression positive; sets the Coulomb limit
+    T normal{};                 ///< [N] spring part, compression positive
+    T limit{};                  ///< [N] what friction coefficients are multiplied with
+    T attraction{};             ///< [N] of cohesion, against `normal`
+    Vec3Of<T> moment{};         ///< [N m] on j, of rolling and twisting
+    T kept{};                   ///< [1] part of tangential forces that a shrinking area leaves
     T normal_damping{};         ///< [N] dashpot part, same sign
     Vec3Of<T> shear{};          ///< [N] spring part
     Vec3Of<T> shear_damping{};  ///< [N] dashpot part
     Mask slipping{};  ///< shear spring is at its limit; all lanes where there is no friction law
-    T slip_work{};    ///< [J] dissipated by sliding in this step; add_energies alone fills it
-    T stored{};       ///< [J] elastic energy held by the springs; add_energies alone fills it
+    T slip_work{};    ///< [J] dissipated by sliding and yielding in this step
+    T stored{};       ///< [J] elastic energy held by the springs; both from add_energies alone
 };
 
 /// Adds the energies of a law, if it has any, to the load that all laws have made.
@@ -85,6 +109,12 @@ void add_energies_of(const typename Law::template Values<T>& values,
         Law::add_energies(values, geometry, history_in, load);
     }
 }
+
+/// A stiffness law whose stiffness depends on the overlap, which the stable step must foresee.
+template <class Law>
+inline constexpr bool grows_with_overlap = requires(typename Law::template Values<double> values) {
+    Law::expected_overlap(values, 1.0, 1.0);
+};
 
 /// Nothing: no history, no needs, no code. Fills the slot of an effect that the scene leaves out.
 struct NoLaw {

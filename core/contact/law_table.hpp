@@ -1,6 +1,7 @@
 /// THE table of contact laws: the slots, in order of evaluation, and the laws that may fill each.
 /// The order is physics: stiffness before the springs that use it, the normal spring before
-/// friction whose limit it sets, friction before the dashpots that are cut on slip.
+/// friction whose limit it sets, friction before the dashpots that are cut on slip, cohesion after
+/// the dashpots that it switches off over a gap, moments last.
 ///
 /// The common combinations have a pass of their own, with the choice compiled in. All others share
 /// one general pass, which asks once per block of contacts which laws are on
@@ -11,13 +12,23 @@
 #include "core/contact/laws/constant_stiffness.hpp"
 #include "core/contact/laws/coulomb_friction.hpp"
 #include "core/contact/laws/deformability_stiffness.hpp"
+#include "core/contact/laws/hertz_spring.hpp"
+#include "core/contact/laws/hertz_stiffness.hpp"
 #include "core/contact/laws/incremental_spring.hpp"
+#include "core/contact/laws/jkr_adhesion.hpp"
+#include "core/contact/laws/linear_cohesion.hpp"
 #include "core/contact/laws/linear_spring.hpp"
+#include "core/contact/laws/mindlin_friction.hpp"
+#include "core/contact/laws/restitution_damping.hpp"
+#include "core/contact/laws/rolling_resistance.hpp"
+#include "core/contact/laws/twisting_resistance.hpp"
 #include "core/contact/laws/viscous_damping.hpp"
+#include "core/contact/laws/walton_braun_spring.hpp"
 
 #include <array>
 #include <cstddef>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace grainbench {
@@ -25,10 +36,14 @@ namespace grainbench {
 template <class... Laws>
 using Slot = std::tuple<Laws...>;
 
-using LawSlots = std::tuple<Slot<ConstantStiffness, DeformabilityStiffness>,  //
-                            Slot<LinearSpring, IncrementalSpring>,            //
-                            Slot<NoLaw, CoulombFriction>,                     //
-                            Slot<NoLaw, ViscousDamping>>;
+using LawSlots =
+    std::tuple<Slot<ConstantStiffness, DeformabilityStiffness, HertzStiffness>,
+               Slot<LinearSpring, IncrementalSpring, HertzSpring, JkrAdhesion, WaltonBraunSpring>,
+               Slot<NoLaw, CoulombFriction, MindlinFriction>,
+               Slot<NoLaw, ViscousDamping, RestitutionDamping>,
+               Slot<NoLaw, LinearCohesion>,
+               Slot<NoLaw, RollingResistance>,
+               Slot<NoLaw, TwistingResistance>>;
 
 inline constexpr std::size_t slot_count = std::tuple_size_v<LawSlots>;
 
@@ -38,9 +53,36 @@ using LawChoice = std::array<std::size_t, slot_count>;
 template <std::size_t slot, std::size_t law>
 using LawAt = std::tuple_element_t<law, std::tuple_element_t<slot, LawSlots>>;
 
-/// Combinations with a pass of their own: those of the linear contact without further effects.
-constexpr bool has_own_pass(const LawChoice&) {
-    return true;
+/// Place of a law in its slot.
+template <class Law, std::size_t slot>
+constexpr std::size_t index_of() {
+    constexpr std::size_t count = std::tuple_size_v<std::tuple_element_t<slot, LawSlots>>;
+    return []<std::size_t... L>(std::index_sequence<L...>) {
+        std::size_t index = count;
+        ((std::is_same_v<Law, LawAt<slot, L>> ? void(index = L) : void()), ...);
+        return index;
+    }
+    (std::make_index_sequence<count>{});
+}
+
+/// Names of the slots, in order.
+enum SlotName : std::size_t {
+    stiffness_slot,
+    normal_slot,
+    friction_slot,
+    damping_slot,
+    cohesion_slot,
+    rolling_slot,
+    twisting_slot
+};
+
+/// Combinations with a pass of their own: those of the linear contact with its own damping.
+constexpr bool has_own_pass(const LawChoice& c) {
+    return c[stiffness_slot] <= index_of<DeformabilityStiffness, stiffness_slot>() &&
+           c[normal_slot] <= index_of<IncrementalSpring, normal_slot>() &&
+           c[friction_slot] <= index_of<CoulombFriction, friction_slot>() &&
+           c[damping_slot] <= index_of<ViscousDamping, damping_slot>() && c[cohesion_slot] == 0 &&
+           c[rolling_slot] == 0 && c[twisting_slot] == 0;
 }
 
 /// Values before those of the laws, for the stable step: K / k normal and shear.

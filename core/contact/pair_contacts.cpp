@@ -101,13 +101,14 @@ void PairContacts::adopt_late_contacts(const ParticleState& particles, const Ker
 }
 
 bool PairContacts::find_touching(const ParticleState& particles,
+                                 double reach,
                                  const Kernels& kernels,
                                  const Workers& workers) {
     constexpr Index part_size = 8192;  // pairs, a multiple of 64
     const Index count = objects_.list().count;
     workers.for_each((count + part_size - 1) / part_size, [&](std::size_t part) {
         const auto first = static_cast<Index>(part * part_size);
-        PairQuery part_query = query(particles, objects_.list(), 1.0, 0.0);
+        PairQuery part_query = query(particles, objects_.list(), 1.0, reach);
         part_query.i += first;
         part_query.j += first;
         part_query.count = std::min(part_size, count - first);

@@ -31,7 +31,9 @@ public:
                    const Kernels& kernels);
 
     /// Finds the touching contacts; those that opened lose their history. True if the set changed.
+    /// \param reach gap up to which contacts count as touching [m]
     bool find_touching(const ParticleState& particles,
+                       double reach,
                        const Kernels& kernels,
                        const Workers& workers = {});
 

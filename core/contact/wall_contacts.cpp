@@ -263,11 +263,12 @@ void WallContacts::resolve(const ParticleState& particles,
 
 bool WallContacts::find_touching(const ParticleState& particles,
                                  const WallBody& wall,
+                                 double reach,
                                  const Kernels& kernels,
                                  const Workers& workers) {
     workers.for_each(parts_.size(), [&](std::size_t p) {
         Part& part = parts_[p];
-        find_hits(particles, wall, 0.0, kernels, part);
+        find_hits(particles, wall, reach, kernels, part);
         part.has_changed = mark_hits(part);
         if (part.has_changed) {
             hand_over(wall.surface(), part);

@@ -33,8 +33,10 @@ public:
                    const Workers& workers);
 
     /// Finds the touching contacts and hands their history over. True if the set changed.
+    /// \param reach gap up to which contacts count as touching [m]
     bool find_touching(const ParticleState& particles,
                        const WallBody& wall,
+                       double reach,
                        const Kernels& kernels,
                        const Workers& workers);
 

@@ -392,6 +392,10 @@ GuardWatch::Energy GuardWatch::energy_of(const Engine& engine) const {
 }
 
 void GuardWatch::check_energy(const Engine& engine) {
+    if (!(engine.gravity() == gravity_)) {
+        gravity_ = engine.gravity();  // of a stage: potentials are others, the budget starts anew
+        has_budget_ = false;
+    }
     const Energy now = energy_of(engine);
     const double total = now.motion + now.potential;
     if (!has_budget_) {
@@ -445,8 +449,15 @@ std::vector<std::string> GuardWatch::warnings(const Engine& engine) const {
 
 void GuardWatch::save(Archive& archive) const {
     archive.put("guards/numbers",
-                std::vector<double>{
-                    has_budget_ ? 1.0 : 0.0, budget_, supplied_, turnover_, potential_, way_});
+                std::vector<double>{has_budget_ ? 1.0 : 0.0,
+                                    budget_,
+                                    supplied_,
+                                    turnover_,
+                                    potential_,
+                                    way_,
+                                    gravity_.x,
+                                    gravity_.y,
+                                    gravity_.z});
     archive.put("guards/wall_load", wall_load_);
     archive.put("guards/lost", lost_);
     archive.put("guards/lost_count", lost_count_);
@@ -464,6 +475,7 @@ void GuardWatch::load(const Archive& archive) {
     turnover_ = numbers.at(3);
     potential_ = numbers.at(4);
     way_ = numbers.at(5);
+    gravity_ = {numbers.at(6), numbers.at(7), numbers.at(8)};
     wall_load_ = archive.get<double>("guards/wall_load");
     lost_ = archive.get<std::uint8_t>("guards/lost");
     lost_count_ = archive.count("guards/lost_count");

@@ -15,9 +15,17 @@ double step_of(double largest_ratio) {
 
 /// Largest of k/m and kappa/I [1/s^2] of a particle of inverse mass and sums of K_s n^2, K_s and
 /// K_n n^2 (2).
-double largest_ratio(double inverse_mass, const double* shear, const double* normal) {
-    const double least = std::min({shear[0], shear[1], shear[2]});
-    double largest = 2.5 * inverse_mass * (shear[3] - least);
+double largest_ratio(double inverse_mass,
+                     const double* shear,
+                     const double* normal,
+                     double rolling,
+                     double twisting) {
+    double turning = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        turning =
+            std::max(turning, (1.0 + rolling) * (shear[3] - shear[axis]) + twisting * shear[axis]);
+    }
+    double largest = 2.5 * inverse_mass * turning;
     for (int axis = 0; axis < 3 && normal != nullptr; ++axis) {
         largest = std::max(largest, inverse_mass * (normal[axis] + (shear[3] - shear[axis])));
     }
@@ -29,13 +37,15 @@ double largest_ratio(double inverse_mass, const double* shear, const double* nor
 StableStep::StableStep(const ParticleState& particles)
     : shear_(particles.positions().size(), 0.0) {}
 
-void StableStep::clear(bool rotation_rules) {
+void StableStep::clear(bool rotation_rules, double rolling, double twisting) {
+    rolling_ = rolling;
+    twisting_ = twisting;
     std::fill(shear_.begin(), shear_.end(), 0.0);
     normal_.assign(rotation_rules ? 0 : shear_.size(), 0.0);
 }
 
 StepSums StableStep::sums() {
-    return {shear_.data(), normal_.empty() ? nullptr : normal_.data()};
+    return {shear_.data(), normal_.empty() ? nullptr : normal_.data(), rolling_, twisting_};
 }
 
 double StableStep::limit(ParticleState& particles, const Kernels& kernels) {
@@ -46,7 +56,9 @@ double StableStep::limit_of(const ParticleState& particles, Index slot) const {
     const std::size_t at = 4 * std::size_t{slot};
     return step_of(largest_ratio(particles.inverse_mass(slot),
                                  shear_.data() + at,
-                                 normal_.empty() ? nullptr : normal_.data() + at));
+                                 normal_.empty() ? nullptr : normal_.data() + at,
+                                 rolling_,
+                                 twisting_));
 }
 
 double StableStep::single_contact_limit(const ParticleState& particles,
@@ -59,8 +71,12 @@ double StableStep::single_contact_limit(const ParticleState& particles,
                 particles.species(slot), material, particles.radius(slot), 0.0);
             const double shear[4] = {0.0, 0.0, k.shear, k.shear};
             const double normal[4] = {0.0, 0.0, k.normal, 0.0};
-            smallest = std::min(
-                smallest, step_of(largest_ratio(particles.inverse_mass(slot), shear, normal)));
+            smallest = std::min(smallest,
+                                step_of(largest_ratio(particles.inverse_mass(slot),
+                                                      shear,
+                                                      normal,
+                                                      table.rolling_ratio(),
+                                                      table.twisting_ratio())));
         }
     }
     return smallest;

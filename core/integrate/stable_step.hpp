@@ -3,6 +3,8 @@
 ///
 /// Model    dt_i = min over axes of sqrt(m / k_i), sqrt(I / kappa_i)                        (1)
 ///          k_i = sum K_n n_i^2 + K_s (1 - n_i^2);  kappa_i = sum K_s R^2 (1 - n_i^2)       (2)
+///          with rolling and twisting stiffness rho, tau times K_s R^2, K_s R^2 (1 - n_i^2) becomes
+///          K_s R^2 ((1 + rho) (1 - n_i^2) + tau n_i^2)
 ///          K = k / (sqrt(1 + beta^2) - beta)^2          (3), in ContactTable::step_stiffness
 /// Source   PFC documentation, timestep determination; Belytschko 1983 for (3)
 ///          (physics reference 2.2). Departs from it in the normals, which are those of the last
@@ -26,7 +28,8 @@ public:
 
     /// Starts new sums; then let every contact that counts add to sums().
     /// \param rotation_rules no contact can make translation the limit: its sums are left out
-    void clear(bool rotation_rules);
+    /// \param rolling, twisting stiffnesses of moments over K_s R^2 [1]
+    void clear(bool rotation_rules, double rolling, double twisting);
 
     StepSums sums();
 
@@ -45,6 +48,8 @@ public:
 private:
     Column<double> shear_;   ///< packet by particle: sum of K_s n^2 per axis, sum of K_s [N/m]
     Column<double> normal_;  ///< packet by particle: sum of K_n n^2 per axis [N/m]; may be empty
+    double rolling_ = 0.0;   ///< [1]
+    double twisting_ = 0.0;  ///< [1]
 };
 
 /// Largest dt for which no particle moves by more than its tolerance along an axis [s]:

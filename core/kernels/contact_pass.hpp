@@ -46,7 +46,8 @@ struct LawValues : BlockValues<Laws::most_values> {
 struct Bodies {
     Vec3Of<Pack> velocity_i, velocity_j;
     Vec3Of<Pack> spin_i, spin_j;
-    Pack lever_i, lever_j;  ///< [m] from the centres to the contact point along the normal
+    Vec3Of<Pack> whole_spin_j;  ///< [rad/s] also where spin_j leaves out what is in velocity_j
+    Pack lever_i, lever_j;      ///< [m] from the centres to the contact point along the normal
     Pack inverse_mass_i, inverse_mass_j;
     unsigned new_bits;  ///< lanes whose contact did not act in the last step
 };
@@ -66,6 +67,9 @@ void complete_geometry(const Laws& laws, const Bodies& b, Pack timestep, Geometr
             g.sliding_velocity = relative - dot(relative, g.normal) * g.normal;
             g.mean_spin = Pack(0.5) * dot(b.spin_i + b.spin_j, g.normal);
         }
+    }
+    if (laws.need(Needs::relative_spin)) {
+        g.relative_spin = b.whole_spin_j - b.spin_i;
     }
     if (laws.need(Needs::entry)) {
         g.entry = Pack(1.0);
@@ -87,6 +91,7 @@ Load<Pack> apply_laws(const Laws& laws,
                       Pack* history_out) {
     Load<Pack> load;
     load.slipping = Mask::all();
+    load.kept = Pack(1.0);
     laws.for_each([&]<class Law>(auto first_value, auto first_history) {
         Law::apply(values_of<Law, Pack>([&](int k) { return values.value[first_value + k]; }),
                    g,
@@ -112,15 +117,23 @@ void add_energies(const Laws& laws,
     });
 }
 
-/// Total force on j.
-template <class Laws>
-Vec3Of<Pack> force_on_j(const Laws& laws, const Load<Pack>& load, const Geometry<Pack>& g) {
-    Vec3Of<Pack> force = (load.normal + load.normal_damping) * g.normal;
-    if (laws.need(Needs::spin)) {
-        force += load.shear + load.shear_damping;
+/// Force on j: all of it, and its part along the contact plane, which alone turns the bodies. Where
+/// no law has such a part, spins keep every bit.
+struct ForceOnJ {
+    Vec3Of<Pack> whole, tangential;
+
+    template <class Laws>
+    ForceOnJ(const Laws& laws, const Load<Pack>& load, const Geometry<Pack>& g)
+        : whole((load.normal + load.normal_damping) * g.normal) {
+        if (laws.need(Needs::gap)) {
+            whole -= load.attraction * g.normal;
+        }
+        if (laws.need(Needs::spin)) {
+            tangential = load.shear + load.shear_damping;
+            whole += tangential;
+        }
     }
-    return force;
-}
+};
 
 /// Writes the records of `valid` contacts.
 inline void keep_records(const Load<Pack>& load,
@@ -134,7 +147,7 @@ inline void keep_records(const Load<Pack>& load,
                                        damping.z,
                                        load.slip_work,
                                        load.stored,
-                                       load.normal,
+                                       load.normal - load.attraction,
                                        load.shear.x,
                                        load.shear.y,
                                        load.shear.z,
@@ -142,7 +155,10 @@ inline void keep_records(const Load<Pack>& load,
                                        b.lever_j,
                                        g.normal.x,
                                        g.normal.y,
-                                       g.normal.z};
+                                       g.normal.z,
+                                       load.moment.x,
+                                       load.moment.y,
+                                       load.moment.z};
     double lanes[width];
     for (Index field = 0; field < record_size; ++field) {
         store(columns[field], lanes);
@@ -280,6 +296,14 @@ GRAINBENCH_FLATTEN void pair_pass(const PairPass& pass) {
             g.area_radius = smaller(at_i.w, at_j.w);
             g.length = at_i.w + at_j.w;
         }
+        if (laws.need(Needs::effective_radius)) {
+            g.effective_radius = at_i.w * at_j.w / (at_i.w + at_j.w);
+        }
+        if (laws.need(Needs::gap)) {
+            g.gap = distance - (at_i.w + at_j.w);
+            b.lever_i = at_i.w + Pack(0.5) * g.gap;
+            b.lever_j = at_j.w + Pack(0.5) * g.gap;
+        }
         if (laws.need(Needs::velocity) || laws.need(Needs::effective_mass)) {
             const Packets motion_i = load_i(p.velocity);
             const Packets motion_j = load_j(p.velocity);
@@ -291,6 +315,7 @@ GRAINBENCH_FLATTEN void pair_pass(const PairPass& pass) {
         if (laws.need(Needs::spin)) {
             b.spin_i = load_i(p.spin).xyz;
             b.spin_j = load_j(p.spin).xyz;
+            b.whole_spin_j = b.spin_j;
         }
         if (!pass.laws.uniform) {
             values.look_up(laws, pass.laws, load_i(p.spin).w, load_j(p.spin).w);
@@ -310,17 +335,23 @@ GRAINBENCH_FLATTEN void pair_pass(const PairPass& pass) {
                          pass.records + static_cast<std::size_t>(first) * record_size);
         }
 
-        const Vec3Of<Pack> force = force_on_j(laws, load, g);
+        const ForceOnJ force(laws, load, g);
         alignas(64) double forces[4 * width];
-        store_packets(force, Pack{}, forces);
+        store_packets(force.whole, Pack{}, forces);
         // Lane by lane, so that sums are in the order of the contacts whatever the width.
         if (laws.need(Needs::spin)) {
             // Contact point and force give -r_i n x F on i and -r_j n x F on j.
-            const Vec3Of<Pack> turning = cross(g.normal, force);
+            const Vec3Of<Pack> turning = cross(g.normal, force.tangential);
             alignas(64) double torques_i[4 * width];
             alignas(64) double torques_j[4 * width];
-            store_packets(b.lever_i * turning, Pack{}, torques_i);
-            store_packets(b.lever_j * turning, Pack{}, torques_j);
+            Vec3Of<Pack> on_i = b.lever_i * turning;
+            Vec3Of<Pack> on_j = b.lever_j * turning;
+            if (laws.need(Needs::relative_spin)) {
+                on_i += load.moment;
+                on_j -= load.moment;
+            }
+            store_packets(on_i, Pack{}, torques_i);
+            store_packets(on_j, Pack{}, torques_j);
             for (Index l = 0; l < block.valid; ++l) {
                 subtract_packet(p.torque, row_i[l], torques_i + 4 * l);
                 subtract_packet(p.torque, row_j[l], torques_j + 4 * l);
@@ -373,6 +404,13 @@ GRAINBENCH_FLATTEN void wall_pass(const WallPass& pass) {
             g.area_radius = at_i.w;
             g.length = at_i.w;
         }
+        if (laws.need(Needs::effective_radius)) {
+            g.effective_radius = at_i.w;
+        }
+        if (laws.need(Needs::gap)) {
+            g.gap = wall.w - at_i.w;
+            b.lever_i = at_i.w + Pack(0.5) * g.gap;
+        }
         if (laws.need(Needs::velocity) || laws.need(Needs::effective_mass)) {
             const Packets motion = load_i(p.velocity);
             b.velocity_i = motion.xyz;
@@ -385,6 +423,7 @@ GRAINBENCH_FLATTEN void wall_pass(const WallPass& pass) {
         if (laws.need(Needs::spin)) {
             b.spin_i = load_i(p.spin).xyz;
             b.spin_j = dot(wall_spin, g.normal) * g.normal;
+            b.whole_spin_j = wall_spin;
         }
         if (!pass.laws.uniform) {
             values.look_up(laws, pass.laws, load_i(p.spin).w, Pack(pass.material));
@@ -404,16 +443,20 @@ GRAINBENCH_FLATTEN void wall_pass(const WallPass& pass) {
                          pass.records + static_cast<std::size_t>(first) * record_size);
         }
 
-        const Vec3Of<Pack> force = force_on_j(laws, load, g);
+        const ForceOnJ force(laws, load, g);
         alignas(64) double forces[4 * width];
-        store_packets(force, Pack{}, forces);
+        store_packets(force.whole, Pack{}, forces);
         for (Index l = 0; l < block.valid; ++l) {
             Packet(forces + 4 * l).store(pass.force + 4 * static_cast<std::size_t>(first + l));
             subtract_packet(p.force, row[l], forces + 4 * l);
             p.loaded[row[l]] = 1;
         }
         if (laws.need(Needs::spin)) {
-            store_packets(b.lever_i * cross(g.normal, force), Pack{}, forces);
+            Vec3Of<Pack> on_i = b.lever_i * cross(g.normal, force.tangential);
+            if (laws.need(Needs::relative_spin)) {
+                on_i += load.moment;
+            }
+            store_packets(on_i, Pack{}, forces);
             for (Index l = 0; l < block.valid; ++l) {
                 subtract_packet(p.torque, row[l], forces + 4 * l);
             }

@@ -109,7 +109,7 @@ struct PatchAnswers {
     double* height;        ///< [m] by entry: of the centre over the plane
 };
 
-inline constexpr Index record_size = 14;
+inline constexpr Index record_size = 17;
 
 /// What a contact leaves for the ledger and for contact frames.
 enum RecordField : Index {
@@ -118,7 +118,7 @@ enum RecordField : Index {
     record_damping_z,
     record_slip_work,  ///< [J]
     record_stored,     ///< [J]
-    record_normal,     ///< [N] spring part
+    record_normal,     ///< [N] spring part, less the attraction
     record_shear_x,    ///< [N] spring part on j, three components
     record_shear_y,
     record_shear_z,
@@ -126,7 +126,10 @@ enum RecordField : Index {
     record_lever_j,   ///< [m]
     record_normal_x,  ///< [1] unit vector from i to j, three components
     record_normal_y,
-    record_normal_z
+    record_normal_z,
+    record_moment_x,  ///< [N m] on j, three components
+    record_moment_y,
+    record_moment_z
 };
 
 /// What the laws of a contact read besides its geometry.
@@ -138,6 +141,7 @@ struct LawView {
     double timestep;   ///< [s]
     LawChoice choice;  ///< the laws
     std::size_t pass;  ///< the pass for them; the general one will do for all
+    double impact;     ///< [(m/s)^(4/5)] speed of impacts to expect for the stable step, to the 4/5
 };
 
 /// A touching contact by its place in a list, and whether this is its first step.
@@ -194,6 +198,8 @@ struct WallPass {
 struct StepSums {
     double* shear;   ///< packet by particle: sum of K_s n^2 per axis, sum of K_s [N/m]
     double* normal;  ///< packet by particle: sum of K_n n^2 per axis; null where rotation rules
+    double rolling = 0.0;   ///< [1] rolling stiffness over K_s R^2, the largest of all contacts
+    double twisting = 0.0;  ///< [1] the same of twisting
 };
 
 /// Adds contacts between particles.
@@ -212,7 +218,7 @@ struct WallStepPass {
     ParticleView particles;
     LawView laws;
     const Index* particle;   ///< by contact
-    const double* geometry;  ///< packet by contact: normal to the wall
+    const double* geometry;  ///< packet by contact: normal to the wall, distance [m]
     Index count;
     double material;  ///< of the wall
     StepSums sums;

@@ -23,14 +23,18 @@ struct StepValues : BlockValues<step_factor_count + Law::value_count> {
 struct StiffnessPair {
     Pack normal, shear;
 
+    /// \param impact see LawView
     template <class Law>
-    static StiffnessPair of(const StepValues<Law>& values, const Geometry<Pack>& g) {
+    static StiffnessPair of(const StepValues<Law>& values, double impact, Geometry<Pack>& g) {
         Load<Pack> load;
-        Law::apply(values_of<Law, Pack>([&](int k) { return values.value[step_factor_count + k]; }),
-                   g,
-                   static_cast<const Pack*>(nullptr),
-                   static_cast<Pack*>(nullptr),
-                   load);
+        const auto law_values =
+            values_of<Law, Pack>([&](int k) { return values.value[step_factor_count + k]; });
+        if constexpr (grows_with_overlap<Law>) {
+            g.overlap = larger(g.overlap,
+                               Law::expected_overlap(law_values, Pack(impact), g.effective_radius));
+        }
+        Law::apply(
+            law_values, g, static_cast<const Pack*>(nullptr), static_cast<Pack*>(nullptr), load);
         return {load.stiffness_n * values.value[0], load.stiffness_s * values.value[1]};
     }
 };
@@ -81,13 +85,17 @@ void add_pair_steps(const PairStepPass& pass) {
         }
         const Vec3Of<Pack> apart = at_j.xyz - at_i.xyz;
         const Pack square = dot(apart, apart);
+        if constexpr (grows_with_overlap<Law>) {
+            g.effective_radius = at_i.w * at_j.w / (at_i.w + at_j.w);
+            g.overlap = at_i.w + at_j.w - square_root(square);
+        }
         const Mask is_apart = Pack{} < square;
         const Pack inverse =
             select(is_apart, Pack(1.0) / select(is_apart, square, Pack(1.0)), Pack{});
         if (!pass.laws.uniform) {
             values.look_up(pass.laws, load_i(p.spin).w, load_j(p.spin).w);
         }
-        const StepShares shares(StiffnessPair::of<Law>(values, g),
+        const StepShares shares(StiffnessPair::of<Law>(values, pass.laws.impact, g),
                                 {apart.x * apart.x * inverse,
                                  apart.y * apart.y * inverse,
                                  apart.z * apart.z * inverse});
@@ -105,17 +113,22 @@ void add_wall_steps(const WallStepPass& pass) {
         const Index valid = pass.count - first < width ? pass.count - first : width;
         const auto place = [&](Index l) { return first + (l < valid ? l : valid - 1); };
         const auto row = [&](Index l) { return pass.particle[place(l)]; };
-        const Vec3Of<Pack> n = load_packets(pass.geometry, place).xyz;
+        const Packets wall = load_packets(pass.geometry, place);
+        const Vec3Of<Pack>& n = wall.xyz;
         Geometry<Pack> g{};
         if constexpr (contains(Law::needs, Needs::radii)) {
             g.area_radius = load_packets(pass.particles.position, row).w;
             g.length = g.area_radius;
         }
+        if constexpr (grows_with_overlap<Law>) {
+            g.effective_radius = load_packets(pass.particles.position, row).w;
+            g.overlap = g.effective_radius - wall.w;
+        }
         if (!pass.laws.uniform) {
             values.look_up(
                 pass.laws, load_packets(pass.particles.spin, row).w, Pack(pass.material));
         }
-        const StepShares shares(StiffnessPair::of<Law>(values, g),
+        const StepShares shares(StiffnessPair::of<Law>(values, pass.laws.impact, g),
                                 {n.x * n.x, n.y * n.y, n.z * n.z});
         for (Index l = 0; l < valid; ++l) {
             shares.add_to(pass.sums, row(l), l);
@@ -130,8 +143,16 @@ inline double largest_step_ratio(const ParticleView& p, const StepSums& sums) {
         const Packets shear = load_packets(sums.shear, row);
         const Pack inverse_mass = load_packets(p.velocity, row).w;
         const Pack least = smaller(shear.xyz.x, smaller(shear.xyz.y, shear.xyz.z));
-        // kappa / I with I = 2/5 m R^2 and lever R (2).
-        largest = larger(largest, Pack(2.5) * inverse_mass * (shear.w - least));
+        // kappa / I with I = 2/5 m R^2 and lever R (2). Moments raise it: what is stiff against
+        // rolling about an axis is the part of the normals across it, against twisting the rest.
+        Pack turning = shear.w - least;
+        if (sums.rolling > 0.0 || sums.twisting > 0.0) {
+            const auto about = [&](Pack along) {
+                return Pack(1.0 + sums.rolling) * (shear.w - along) + Pack(sums.twisting) * along;
+            };
+            turning = larger(about(shear.xyz.x), larger(about(shear.xyz.y), about(shear.xyz.z)));
+        }
+        largest = larger(largest, Pack(2.5) * inverse_mass * turning);
         if (sums.normal != nullptr) {
             const Packets normal = load_packets(sums.normal, row);
             const Vec3Of<Pack> k{normal.xyz.x + (shear.w - shear.xyz.x),

@@ -2,14 +2,16 @@
 /// collision lasts, what step one lone contact allows, and how fast an approach a search at fixed
 /// intervals sees.
 ///
-/// Model    t_c = pi sqrt(m_c / k_n)                                                        (1)
+/// Model    t_c = pi sqrt(m_c / k_n); 2.94328 d / v between Hertz's spheres                 (1)
 ///          v = tolerance R / (N dt)                                                        (2)
-/// Source   half period of the undamped oscillator (physics reference 1.9); (2) is the speed at
-/// which a
-///          sphere crosses its detection tolerance between two searches.
+/// Source   half period of the undamped oscillator (physics reference 1.9), Hertz's impact (10.2);
+///          (2) is the speed at which a sphere crosses its detection tolerance between two
+///          searches.
 /// Symbols  t_c duration [s]; m_c effective mass [kg]; k_n [N/m]; R radius [m]; N cycles between
-///          searches [1]; dt step [s]; v [m/s].
+///          searches [1]; dt step [s]; v [m/s]; d largest overlap [m].
 /// Limits   of each species the smallest sphere present stands for all: lighter means shorter.
+///          Where contacts stiffen with their overlap, impacts are taken to be as fast as
+///          expected_impact_speed() says.
 #pragma once
 
 #include "core/frame.hpp"
@@ -28,6 +30,7 @@ struct ContactTime {
     double mass = 0.0;       ///< [kg] m_c
     double radius = 0.0;     ///< [m] of the smaller sphere
     double duration = 0.0;   ///< [s] t_c
+    double depth = 0.0;      ///< [m s/m] largest overlap over the speed of an undamped impact
 };
 
 /// Step that one lone contact allows, and what it follows from.
@@ -45,7 +48,12 @@ struct SingleContactLimit {
 struct ContactScales {
     std::vector<ContactTime> times;  ///< shortest first; empty without particles
     SingleContactLimit limit;
-    int history_size = 0;  ///< [1] doubles that a contact remembers
+    int history_size = 0;       ///< [1] doubles that a contact remembers
+    int history_bytes = 0;      ///< in whole packets
+    bool has_own_pass = false;  ///< its laws are compiled in, see contact/law_table.hpp
+    double reach = 0.0;         ///< [m] gap over which cohesion acts
+    bool stiffens = false;      ///< stiffnesses are those at the depth of the expected impact
+    double impact_speed = 0.0;  ///< [m/s] expected, where contacts stiffen
 };
 
 /// \param contact laws of the stage in question
@@ -53,6 +61,10 @@ struct ContactScales {
 ContactScales contact_scales(const Scene& scene,
                              const Contact& contact,
                              const ParticleFrame& particles);
+
+/// Speed of impacts to expect: twice the fastest sphere, a fall through the bed onto the fastest
+/// wall, or what falling a diameter adds [m/s].
+double expected_impact_speed(const Scene& scene, const ParticleFrame& particles);
 
 /// Fastest approach of a sphere to a wall that an interval of N cycles always sees in time, (2)
 /// [m/s].

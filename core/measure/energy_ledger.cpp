@@ -23,6 +23,10 @@ Vec3 damping_of(const double* record) {
     return {record[record_damping_x], record[record_damping_y], record[record_damping_z]};
 }
 
+Vec3 moment_of(const double* record) {
+    return {record[record_moment_x], record[record_moment_y], record[record_moment_z]};
+}
+
 /// Of both springs on j.
 Vec3 spring_force_of(const double* record) {
     return record[record_normal] * normal_of(record) +
@@ -51,6 +55,12 @@ void EnergyLedger::start(const LedgerView& view, double timestep) {
     initial_elastic_ = now.elastic;
 }
 
+void EnergyLedger::change_gravity(const ParticleState& particles, const Vec3& change) {
+    for (Index slot = 0; slot < particles.size(); ++slot) {
+        initial_ -= particles.mass(slot) * dot(change, particles.position(slot));
+    }
+}
+
 void EnergyLedger::add_work(const LedgerView& view, double lead, double duration) {
     const ParticleState& p = view.particles;
     const auto touching = view.pairs.touching();
@@ -64,6 +74,7 @@ void EnergyLedger::add_work(const LedgerView& view, double lead, double duration
         const Vec3 relative = vj.linear - vi.linear - cross(spin, normal_of(record));
         dashpot_ -= dot(damping_of(record), relative) * duration;  // (2)
         spring_work_ += dot(spring_force_of(record), relative) * duration;
+        spring_work_ += dot(moment_of(record), vj.angular - vi.angular) * duration;
     }
     for (std::size_t w = 0; w < view.walls.size(); ++w) {
         const WallContacts& contacts = view.wall_contacts[w];
@@ -78,7 +89,10 @@ void EnergyLedger::add_work(const LedgerView& view, double lead, double duration
                 wall_velocity - vi.linear - cross(record[record_lever_i] * vi.angular, normal);
             dashpot_ -= dot(damping_of(record), relative) * duration;
             spring_work_ += dot(spring_force_of(record), relative) * duration;
+            const Vec3& wall_spin = view.walls[w].velocity().angular;
+            spring_work_ += dot(moment_of(record), wall_spin - vi.angular) * duration;
             wall_work_ -= dot(contacts.force(t), wall_velocity) * duration;
+            wall_work_ -= dot(moment_of(record), wall_spin) * duration;
         }
     }
 }

@@ -51,6 +51,9 @@ public:
     /// Takes the present energy as the initial one.
     void start(const LedgerView& view, double timestep);
 
+    /// Gravity is another from here on: what that adds to the potential is no gain.
+    void change_gravity(const ParticleState& particles, const Vec3& change);
+
     /// First half of (2), once the forces at the end of a step are known.
     void end_step(const LedgerView& view, double timestep);
 

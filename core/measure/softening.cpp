@@ -9,7 +9,7 @@ std::optional<Softening> softening_of(const ContactScales& scales, double speed)
     Softening softening;
     softening.speed = speed;
     for (const ContactTime& time : scales.times) {
-        const double ratio = speed * std::sqrt(time.mass / time.stiffness) / time.radius;  // (1)
+        const double ratio = speed * time.depth / time.radius;  // (1)
         if (std::isfinite(ratio) && ratio > softening.overlap_ratio) {
             softening.overlap_ratio = ratio;
             softening.first = time.first;
@@ -20,7 +20,8 @@ std::optional<Softening> softening_of(const ContactScales& scales, double speed)
         return std::nullopt;
     }
     softening.speed_up = harmless_overlap / softening.overlap_ratio;
-    softening.factor = 1.0 / (softening.speed_up * softening.speed_up);  // (2)
+    softening.factor = scales.stiffens ? 1.0 / std::pow(softening.speed_up, 2.5)
+                                       : 1.0 / (softening.speed_up * softening.speed_up);  // (2)
     return softening;
 }
 

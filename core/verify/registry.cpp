@@ -21,7 +21,9 @@ const std::vector<Case>& all_cases() {
                                  stable_contact_cases,
                                  stable_wall_cases,
                                  stable_rest_cases,
-                                 stable_frame_cases}) {
+                                 stable_frame_cases,
+                                 chung_ooi_cases,
+                                 effect_cases}) {
             for (Case& one : topic()) {
                 all.push_back(std::move(one));
             }

@@ -1,3 +1,4 @@
+#include "core/effects.hpp"
 #include "core/scene.hpp"
 
 #include "io/json/scene_rules.hpp"
@@ -11,6 +12,17 @@ namespace grainbench::io {
 
 namespace {
 
+/// Species, then the wall materials that are none.
+std::vector<std::string_view> materials_of(const Scene& scene) {
+    std::vector<std::string_view> known = names_of(scene.particles.species);
+    for (const Wall& wall : scene.walls) {
+        if (std::find(known.begin(), known.end(), wall.material_name()) == known.end()) {
+            known.push_back(wall.material_name());
+        }
+    }
+    return known;
+}
+
 void add(Problems& problems,
          std::string pointer,
          std::string what,
@@ -23,12 +35,13 @@ void add(Problems& problems,
 bool has_shear_stiffness(const StiffnessLaw& law) {
     return std::visit(
         Overloaded{[](const ConstantStiffness::Params& p) { return p.shear > 0.0; },
-                   [](const DeformabilityStiffness::Params& p) { return p.ratio > 0.0; }},
+                   [](const DeformabilityStiffness::Params& p) { return p.ratio > 0.0; },
+                   [](const HertzStiffness::Params&) { return true; }},
         law);
 }
 
 bool has_friction(const FrictionLaw& law) {
-    return std::visit([](const CoulombFriction::Params& p) { return p.coefficient > 0.0; }, law);
+    return std::visit([](const auto& p) { return p.coefficient > 0.0; }, law);
 }
 
 /// Friction needs a shear spring: without one it would do nothing, silently.
@@ -45,6 +58,119 @@ void check_shear(const StiffnessLaw& stiffness,
     }
 }
 
+template <class Law>
+std::string key_of(const Law& law) {
+    return std::visit([]<class A>(const A&) { return std::string(A::key); }, law);
+}
+
+/// Cohesion acts between contact objects, which exist within the detection tolerance.
+void check_reach(const Scene& scene,
+                 const Contact& contact,
+                 const std::string& pointer,
+                 Problems& problems) {
+    const bool is_jkr = std::holds_alternative<JkrAdhesion::Params>(contact.normal);
+    if ((!is_jkr && !contact.cohesion) || scene.particles.species.empty()) {
+        return;
+    }
+    const std::string key = pointer + (is_jkr ? "/normal" : "/cohesion");
+    if (scene.detection.create_on_overlap) {
+        add(problems,
+            key,
+            "cohesion acts over a gap, but contacts exist only while surfaces overlap",
+            "detection/create_on_overlap is on",
+            "remove create_on_overlap");
+    }
+    double smallest = scene.particles.species.front().radius;
+    for (const Species& species : scene.particles.species) {
+        smallest = std::min(smallest, species.radius);
+    }
+    const double reach = reach_of(scene, contact);
+    const double tolerance = scene.detection.tolerance * smallest;
+    if (reach > tolerance) {
+        add(problems,
+            key,
+            fmt::format("it reaches over {:.3g} m, detection over {:.3g} m", reach, tolerance),
+            "contacts are looked for within the tolerance times the radius",
+            fmt::format("give a detection/tolerance above {:.3g}", reach / smallest));
+    }
+}
+
+/// Hertz's stiffness goes with Hertz's spring and a friction that follows its area; constant ones
+/// with linear springs.
+void check_law_family(const Contact& contact, const std::string& pointer, Problems& problems) {
+    const bool hertzian = std::holds_alternative<HertzStiffness::Params>(contact.stiffness);
+    const bool hertz_spring = std::holds_alternative<HertzSpring::Params>(contact.normal) ||
+                              std::holds_alternative<JkrAdhesion::Params>(contact.normal);
+    if (hertzian != hertz_spring) {
+        add(problems,
+            pointer + "/normal",
+            fmt::format(
+                "'{}' does not go with '{}'", key_of(contact.normal), key_of(contact.stiffness)),
+            "linear springs need a constant stiffness, Hertz's spring the elastic constants",
+            hertzian ? "use 'hertz_spring' or 'jkr_adhesion', or another stiffness"
+                     : "use 'linear_spring', or 'hertz_stiffness'");
+    }
+    if (contact.friction &&
+        hertzian != std::holds_alternative<MindlinFriction::Params>(*contact.friction)) {
+        add(problems,
+            pointer + "/friction",
+            fmt::format(
+                "'{}' does not go with '{}'", key_of(*contact.friction), key_of(contact.stiffness)),
+            hertzian ? "a spring whose stiffness changes would give energy"
+                     : "the stiffness does not change with the overlap",
+            hertzian ? "use 'mindlin_friction'" : "use 'coulomb_friction'");
+    }
+}
+
+/// What rolling, twisting and cohesion need of the other laws.
+void check_further_laws(const Contact& contact, const std::string& pointer, Problems& problems) {
+    for (const auto& [is_on, name] : {std::pair{contact.rolling.has_value(), "rolling"},
+                                      std::pair{contact.twisting.has_value(), "twisting"}}) {
+        if (is_on && !contact.friction) {
+            add(problems,
+                fmt::format("{}/{}", pointer, name),
+                fmt::format("{} resistance without friction", name),
+                "a frictionless sphere slides, it does not roll",
+                "add friction, or remove this key");
+        }
+    }
+    if (contact.cohesion && !std::holds_alternative<LinearSpring::Params>(contact.normal) &&
+        !std::holds_alternative<HertzSpring::Params>(contact.normal)) {
+        add(problems,
+            pointer + "/cohesion",
+            fmt::format("cohesion does not go with '{}'", key_of(contact.normal)),
+            "over the gap the spring must vanish by itself",
+            "use 'linear_spring' or 'hertz_spring'");
+    }
+    if (std::holds_alternative<WaltonBraunSpring::Params>(contact.normal) && contact.damping &&
+        std::holds_alternative<RestitutionDamping::Params>(*contact.damping)) {
+        add(problems,
+            pointer + "/damping",
+            "'restitution_damping' on a spring that has a restitution of its own",
+            "the two losses would add up to another restitution",
+            "remove one of them");
+    }
+}
+
+/// Materials with elastic constants of their own must exist, each once.
+void check_elastic_materials(const Scene& scene,
+                             const StiffnessLaw& law,
+                             const std::string& pointer,
+                             Problems& problems) {
+    const auto* hertz = std::get_if<HertzStiffness::Params>(&law);
+    if (hertz == nullptr) {
+        return;
+    }
+    check_unique_names(names_of(hertz->materials), pointer + "/materials", problems);
+    for (std::size_t m = 0; m < hertz->materials.size(); ++m) {
+        check_known(hertz->materials[m].name,
+                    materials_of(scene),
+                    "material",
+                    fmt::format("{}/materials/{}/name", pointer, m),
+                    problems);
+    }
+}
+
 /// A pair's law must be on in the scene, and be the same law.
 template <class Law>
 void check_pair_law(const std::optional<Law>& of_pair,
@@ -54,21 +180,18 @@ void check_pair_law(const std::optional<Law>& of_pair,
     if (!of_pair) {
         return;
     }
-    const auto key = [](const Law& law) {
-        return std::visit([]<class A>(const A&) { return A::key; }, law);
-    };
     if (of_scene == nullptr) {
         add(problems,
             pointer,
-            fmt::format("'{}' is off in the scene", key(*of_pair)),
+            fmt::format("'{}' is off in the scene", key_of(*of_pair)),
             "a pair changes numbers of a law, it cannot turn one on",
             "turn the law on for all contacts, with a number that does nothing there");
     } else if (of_pair->index() != of_scene->index()) {
         add(problems,
             pointer,
-            fmt::format("'{}' here, but '{}' in the scene", key(*of_pair), key(*of_scene)),
+            fmt::format("'{}' here, but '{}' in the scene", key_of(*of_pair), key_of(*of_scene)),
             "a pair changes numbers of a law, not the law",
-            fmt::format("use '{}' in the pair too", key(*of_scene)));
+            fmt::format("use '{}' in the pair too", key_of(*of_scene)));
     }
 }
 
@@ -91,12 +214,7 @@ bool check_pair_names(const Scene& scene,
         return false;
     }
     const auto species = names_of(scene.particles.species);
-    auto known = species;
-    for (const Wall& wall : scene.walls) {
-        if (std::find(known.begin(), known.end(), wall.material_name()) == known.end()) {
-            known.push_back(wall.material_name());
-        }
-    }
+    const auto known = materials_of(scene);
     const std::size_t before = problems.size();
     check_known(pair.between[0], known, "material", at + "/between/0", problems);
     check_known(pair.between[1], known, "material", at + "/between/1", problems);
@@ -233,7 +351,11 @@ void check_contact(const Scene& scene,
                    const Contact& contact,
                    const std::string& pointer,
                    Problems& problems) {
+    const std::size_t before = problems.size();
+    check_law_family(contact, pointer, problems);
+    check_further_laws(contact, pointer, problems);
     check_shear(contact.stiffness, contact.friction, pointer + "/stiffness", problems);
+    check_elastic_materials(scene, contact.stiffness, pointer + "/stiffness", problems);
     std::set<std::pair<std::string, std::string>> seen;
     for (std::size_t i = 0; i < contact.pairs.size(); ++i) {
         const PairContact& pair = contact.pairs[i];
@@ -248,22 +370,33 @@ void check_contact(const Scene& scene,
                     "put all its numbers in one entry");
             }
         }
-        if (!pair.stiffness && !pair.friction && !pair.damping) {
+        if (!pair.stiffness && !pair.normal && !pair.friction && !pair.damping && !pair.cohesion &&
+            !pair.rolling && !pair.twisting) {
             add(problems,
                 at,
                 "the pair changes nothing",
                 "no law is given for it",
-                "add stiffness, friction or damping, or remove the pair");
+                "add a law with other numbers, or remove the pair");
         }
         check_pair_law(pair.stiffness, &contact.stiffness, at + "/stiffness", problems);
+        if (pair.stiffness) {
+            check_elastic_materials(scene, *pair.stiffness, at + "/stiffness", problems);
+        }
         check_pair_law(pair.friction, pointer_to(contact.friction), at + "/friction", problems);
         check_pair_law(pair.damping, pointer_to(contact.damping), at + "/damping", problems);
+        check_pair_law(pair.normal, &contact.normal, at + "/normal", problems);
+        check_pair_law(pair.cohesion, pointer_to(contact.cohesion), at + "/cohesion", problems);
+        check_pair_law(pair.rolling, pointer_to(contact.rolling), at + "/rolling", problems);
+        check_pair_law(pair.twisting, pointer_to(contact.twisting), at + "/twisting", problems);
         if (contact.friction && (pair.stiffness || pair.friction)) {
             check_shear(pair.stiffness.value_or(contact.stiffness),
                         pair.friction ? pair.friction : contact.friction,
                         pair.stiffness ? at + "/stiffness" : at + "/friction",
                         problems);
         }
+    }
+    if (problems.size() == before) {
+        check_reach(scene, contact, pointer, problems);
     }
 }
 

@@ -238,6 +238,14 @@ Column<double> random_rows(std::size_t count, Index packets, std::mt19937_64& ra
     return rows;
 }
 
+std::uint64_t seed_of(const LawChoice& choice) {
+    std::uint64_t seed = 1;
+    for (const std::size_t law : choice) {
+        seed = 7 * seed + law;
+    }
+    return 100 * seed;
+}
+
 /// Laws of a table for the pass that the engine would take, or for the general one.
 LawView laws_of(const ContactTable& table, bool general) {
     LawView laws = table.view(1.7e-5);
@@ -248,14 +256,14 @@ LawView laws_of(const ContactTable& table, bool general) {
 }
 
 Bytes pair_forces(const Kernels& kernels,
-                  std::size_t combination,
+                  const LawChoice& choice,
                   bool records,
                   Index touching,
                   bool general = false) {
-    const std::uint64_t seed = 100 * combination + touching;
+    const std::uint64_t seed = seed_of(choice) + touching;
     RandomParticles p(particle_count, seed);
     RandomPairs pairs(particle_count, touching, seed);
-    const ContactTable table = random_table(combination, seed);
+    const ContactTable table = random_table(choice, seed);
     std::mt19937_64 random(seed);
     Column<double> rows =
         random_rows(pairs.i.size(), history_packets(table.history_size()), random);
@@ -273,12 +281,13 @@ Bytes pair_forces(const Kernels& kernels,
 
 TEST(InstructionSets, GiveTheSameForcesBetweenParticles) {
     for_each_set([](std::string_view isa, const Kernels& kernels) {
-        for (std::size_t c = 0; c < combination_count(); ++c) {
+        for (const LawChoice& c : law_choices()) {
             for (const bool records : {false, true}) {
                 for (Index n = 1; n <= most_contacts; ++n) {
                     EXPECT_TRUE(pair_forces(kernels, c, records, n) ==
                                 pair_forces(kernels_for("scalar"), c, records, n))
-                        << isa << ", laws " << c << ", " << n << " contacts";
+                        << isa << ", laws " << testing::PrintToString(c) << ", " << n
+                        << " contacts";
                 }
             }
         }
@@ -286,13 +295,13 @@ TEST(InstructionSets, GiveTheSameForcesBetweenParticles) {
 }
 
 Bytes wall_forces(const Kernels& kernels,
-                  std::size_t combination,
+                  const LawChoice& choice,
                   bool records,
                   Index count,
                   bool general = false) {
-    const std::uint64_t seed = 100 * combination + count;
+    const std::uint64_t seed = seed_of(choice) + count;
     RandomParticles p(particle_count, seed);
-    const ContactTable table = random_table(combination, seed);
+    const ContactTable table = random_table(choice, seed);
     std::mt19937_64 random(seed);
     const Index packets = history_packets(table.history_size()) + 1;
     Column<double> rows = random_rows(count, packets, random);
@@ -325,12 +334,13 @@ Bytes wall_forces(const Kernels& kernels,
 
 TEST(InstructionSets, GiveTheSameForcesOnWalls) {
     for_each_set([](std::string_view isa, const Kernels& kernels) {
-        for (std::size_t c = 0; c < combination_count(); ++c) {
+        for (const LawChoice& c : law_choices()) {
             for (const bool records : {false, true}) {
                 for (Index n = 1; n <= most_contacts; ++n) {
                     EXPECT_TRUE(wall_forces(kernels, c, records, n) ==
                                 wall_forces(kernels_for("scalar"), c, records, n))
-                        << isa << ", laws " << c << ", " << n << " contacts";
+                        << isa << ", laws " << testing::PrintToString(c) << ", " << n
+                        << " contacts";
                 }
             }
         }
@@ -340,26 +350,28 @@ TEST(InstructionSets, GiveTheSameForcesOnWalls) {
 TEST(GeneralPass, GivesTheForcesOfEveryPassOfItsOwn) {
     for (std::size_t n = 0; !available_isa(n).empty(); ++n) {
         const Kernels& kernels = kernels_for(available_isa(n));
-        for (std::size_t c = 0; c < combination_count(); ++c) {
+        for (const LawChoice& c : law_choices()) {
             for (const bool records : {false, true}) {
                 for (const Index count : {1U, 7U, 8U, 9U, 33U}) {
                     EXPECT_TRUE(pair_forces(kernels, c, records, count, true) ==
                                 pair_forces(kernels, c, records, count))
-                        << kernels.isa << ", laws " << c << ", " << count << " contacts";
+                        << kernels.isa << ", laws " << testing::PrintToString(c) << ", " << count
+                        << " contacts";
                     EXPECT_TRUE(wall_forces(kernels, c, records, count, true) ==
                                 wall_forces(kernels, c, records, count))
-                        << kernels.isa << ", laws " << c << ", " << count << " contacts with walls";
+                        << kernels.isa << ", laws " << testing::PrintToString(c) << ", " << count
+                        << " contacts with walls";
                 }
             }
         }
     }
 }
 
-Bytes step_sums(const Kernels& kernels, std::size_t combination, Index count, bool rotation_rules) {
-    const std::uint64_t seed = 100 * combination + count;
+Bytes step_sums(const Kernels& kernels, const LawChoice& choice, Index count, bool rotation_rules) {
+    const std::uint64_t seed = seed_of(choice) + count;
     RandomParticles p(particle_count, seed);
     RandomPairs pairs(particle_count, 0, seed);
-    const ContactTable table = random_table(combination, seed);
+    const ContactTable table = random_table(choice, seed);
     Column<double> shear(p.position.size(), 0.0);
     Column<double> normal(p.position.size(), 0.0);
     const StepSums sums{shear.data(), rotation_rules ? nullptr : normal.data()};
@@ -394,12 +406,13 @@ Bytes step_sums(const Kernels& kernels, std::size_t combination, Index count, bo
 
 TEST(InstructionSets, GiveTheSameSumsForTheStableStep) {
     for_each_set([](std::string_view isa, const Kernels& kernels) {
-        for (std::size_t c = 0; c < combination_count(); ++c) {
+        for (const LawChoice& c : law_choices()) {
             for (const Index n : {1U, 7U, 8U, 9U, 33U}) {
                 for (const bool rules : {false, true}) {
                     EXPECT_TRUE(step_sums(kernels, c, n, rules) ==
                                 step_sums(kernels_for("scalar"), c, n, rules))
-                        << isa << ", laws " << c << ", " << n << " contacts";
+                        << isa << ", laws " << testing::PrintToString(c) << ", " << n
+                        << " contacts";
                 }
             }
         }

@@ -36,7 +36,10 @@ struct RandomPairs {
 /// Uniform in [low, high).
 double between(std::mt19937_64& random, double low, double high);
 
+/// All combinations of laws that a scene may have.
+std::vector<LawChoice> law_choices();
+
 /// Laws of one combination with other numbers for every pair of two materials and a wall's.
-ContactTable random_table(std::size_t combination, std::uint64_t seed);
+ContactTable random_table(const LawChoice& choice, std::uint64_t seed);
 
 }  // namespace grainbench::test

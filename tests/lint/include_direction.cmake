@@ -19,8 +19,9 @@ set(angled_tests "^")
 set(quoted_bench "${quoted_cli}")
 set(angled_bench "${angled_cli}|^hwy/")
 
-# A law is one equation and reads nothing but what a law is.
-set(quoted_law "^core/(contact/law|describe)[.]hpp$")
+# A law is one equation and reads nothing but what a law is, and what laws with a tangential history
+# share.
+set(quoted_law "^core/(contact/law|contact/tangential|describe)[.]hpp$")
 set(angled_law "^$")
 
 foreach(layer IN LISTS lint_layers)

@@ -47,7 +47,7 @@ struct ConstantStiffness {
     static constexpr int history_size = 0;
     static constexpr Needs needs = Needs::none;
 
-    static void resolve(const Params& params, double* values) {
+    static void resolve(const Params& params, const MaterialPair&, double* values) {
         values[0] = params.normal;
         values[1] = params.shear;
         values[2] = std::sqrt(params.normal);

@@ -53,7 +53,7 @@ struct DeformabilityStiffness {
     static constexpr int history_size = 0;
     static constexpr Needs needs = Needs::radii;
 
-    static constexpr void resolve(const Params& params, double* values) {
+    static constexpr void resolve(const Params& params, const MaterialPair&, double* values) {
         values[0] = pi * params.modulus * params.scale;
         values[1] = params.ratio > 0.0 ? 1.0 / params.ratio : 0.0;
     }

@@ -36,7 +36,7 @@ struct IncrementalSpring {
     static constexpr int history_size = 1;
     static constexpr Needs needs = Needs::velocity | Needs::entry;
 
-    static constexpr void resolve(const Params&, double*) {}
+    static constexpr void resolve(const Params&, const MaterialPair&, double*) {}
 
     template <class T>
     static void apply(const Values<T>&,
@@ -46,6 +46,7 @@ struct IncrementalSpring {
                       Load<T>& load) {
         const T increment = load.stiffness_n * (g.entry * g.opening_speed * g.timestep);
         load.normal = larger(T{}, history_in[0] - increment);  // (1)
+        load.limit = load.normal;
         history_out[0] = load.normal;
     }
 

@@ -35,11 +35,12 @@ struct LinearSpring {
     static constexpr int history_size = 0;
     static constexpr Needs needs = Needs::none;
 
-    static constexpr void resolve(const Params&, double*) {}
+    static constexpr void resolve(const Params&, const MaterialPair&, double*) {}
 
     template <class T>
     static void apply(const Values<T>&, const Geometry<T>& g, const T*, T*, Load<T>& load) {
         load.normal = load.stiffness_n * g.overlap;  // (1)
+        load.limit = load.normal;
     }
 
     template <class T>

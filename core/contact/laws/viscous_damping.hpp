@@ -58,7 +58,7 @@ struct ViscousDamping {
     static constexpr int history_size = 0;
     static constexpr Needs needs = Needs::velocity | Needs::spin | Needs::effective_mass;
 
-    static constexpr void resolve(const Params& params, double* values) {
+    static constexpr void resolve(const Params& params, const MaterialPair&, double* values) {
         values[0] = params.normal;
         values[1] = params.shear;
         values[2] = params.mode == 1 || params.mode == 3 ? 1.0 : 0.0;

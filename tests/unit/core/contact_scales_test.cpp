@@ -150,8 +150,10 @@ TEST(Effects, AreIdleOnlyIfNoPairMakesThemAct) {
                 testing::ElementsAre(Field(&IdleEffect::pointer, "/contact/friction")));
     CoulombFriction::Params rough;
     rough.coefficient = 0.5;
-    scene.contact.pairs.push_back(
-        {.between = {"small", "small"}, .stiffness = {}, .friction = rough, .damping = {}});
+    PairContact pair;
+    pair.between = {"small", "small"};
+    pair.friction = rough;
+    scene.contact.pairs.push_back(pair);
     EXPECT_THAT(idle_effects(scene), IsEmpty());
 }
 

@@ -67,7 +67,7 @@ private:
         const Pairs known_before = pairs_of(contacts_.objects());
         const Kernels& kernels = kernels_for("");
         contacts_.update(cycle, particles_, frame_, kernels);
-        contacts_.find_touching(particles_, kernels);
+        contacts_.find_touching(particles_, 0.0, kernels);
         contacts_.add_forces(particles_, table_, timestep, true, kernels);
         const Pairs touching = touching_pairs();
         const Pairs expected = brute_force_pairs(particles_, 1.0, 0.0);

@@ -31,7 +31,6 @@ TEST(SceneRead, FillsEveryKindOfMember) {
     EXPECT_TRUE(std::get<TableMotion>(scene.walls.at(4).motion).repeat);
     EXPECT_EQ(std::get<Triangles>(scene.walls.at(6).shape).vertices.at(2), (Vec3{0.0, 1.0, 0.5}));
     EXPECT_EQ(std::get<ViscousDamping::Params>(*scene.contact.damping).mode, 2);
-    EXPECT_TRUE(scene.detection.create_on_overlap);
     EXPECT_EQ(std::get<ScaledTimestep>(*scene.stages.at(1).timestep).value, 0.5);
     EXPECT_TRUE(scene.observables.energy.has_value());
 }
