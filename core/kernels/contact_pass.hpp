@@ -251,7 +251,9 @@ inline void fetch_ahead(const PairPass& pass, Index first, Index row_packets) {
 #define GRAINBENCH_FLATTEN [[gnu::flatten]]
 #endif
 
-template <class Laws>
+/// \tparam keeps_records few steps do: a pass of their own, so that the others need not hold what
+/// only records read.
+template <class Laws, bool keeps_records>
 GRAINBENCH_FLATTEN void pair_pass(const PairPass& pass) {
     const Laws laws(pass.laws.choice);
     const Index packets = history_packets(laws.history_size());
@@ -326,7 +328,7 @@ GRAINBENCH_FLATTEN void pair_pass(const PairPass& pass) {
         history.load(pass.rows, block.place, packets, packets);
         Load<Pack> load = apply_laws(laws, values, g, history.in, history.out);
         history.store(pass.rows, block.place, block.valid, packets, packets);
-        if (pass.records != nullptr) {
+        if constexpr (keeps_records) {
             add_energies(laws, values, g, history.in, load);
             keep_records(load,
                          g,
@@ -366,7 +368,7 @@ GRAINBENCH_FLATTEN void pair_pass(const PairPass& pass) {
     }
 }
 
-template <class Laws>
+template <class Laws, bool keeps_records>
 GRAINBENCH_FLATTEN void wall_pass(const WallPass& pass) {
     const Laws laws(pass.laws.choice);
     const Index packets = history_packets(laws.history_size());
@@ -434,7 +436,7 @@ GRAINBENCH_FLATTEN void wall_pass(const WallPass& pass) {
         history.load(pass.rows, block.place, packets, row_packets);
         Load<Pack> load = apply_laws(laws, values, g, history.in, history.out);
         history.store(pass.rows, block.place, block.valid, packets, row_packets);
-        if (pass.records != nullptr) {
+        if constexpr (keeps_records) {
             add_energies(laws, values, g, history.in, load);
             keep_records(load,
                          g,

@@ -11,25 +11,31 @@
 
 namespace grainbench::GRAINBENCH_ISA {
 
-/// Calls act.template operator()<Laws>() with the laws of a pass.
+/// Calls act.template operator()<Laws, keeps_records>() with the laws of a pass.
 template <class Act>
-void with_laws(std::size_t pass, const Act& act) {
+void with_laws(std::size_t pass, bool keeps_records, const Act& act) {
     [&]<std::size_t... P>(std::index_sequence<P...>) {
         using Call = void (*)(const Act&);
-        static constexpr Call table[] = {
-            [](const Act& one) { one.template operator()<OwnLaws<P>>(); }...,
-            [](const Act& one) { one.template operator()<AnyLaws>(); }};
-        table[pass](act);
+        static constexpr Call table[][2] = {
+            {[](const Act& one) { one.template operator()<OwnLaws<P>, false>(); },
+             [](const Act& one) { one.template operator()<OwnLaws<P>, true>(); }}...,
+            {[](const Act& one) { one.template operator()<AnyLaws, false>(); },
+             [](const Act& one) { one.template operator()<AnyLaws, true>(); }}};
+        table[pass][keeps_records ? 1 : 0](act);
     }
     (std::make_index_sequence<general_pass>{});
 }
 
 inline void choose_pair_pass(const PairPass& pass) {
-    with_laws(pass.laws.pass, [&]<class Laws>() { pair_pass<Laws>(pass); });
+    with_laws(pass.laws.pass, pass.records != nullptr, [&]<class Laws, bool keeps_records>() {
+        pair_pass<Laws, keeps_records>(pass);
+    });
 }
 
 inline void choose_wall_pass(const WallPass& pass) {
-    with_laws(pass.laws.pass, [&]<class Laws>() { wall_pass<Laws>(pass); });
+    with_laws(pass.laws.pass, pass.records != nullptr, [&]<class Laws, bool keeps_records>() {
+        wall_pass<Laws, keeps_records>(pass);
+    });
 }
 
 /// Calls act.template operator()<Law>() with the stiffness law, which fills the first slot.

@@ -110,8 +110,10 @@ TEST(ContactScales, PairsHaveTheirOwnStiffness) {
     Scene scene = example();
     ConstantStiffness::Params soft;
     soft.normal = 1e5;
-    scene.contact.pairs.push_back(
-        {.between = {"large", "small"}, .stiffness = soft, .friction = {}, .damping = {}});
+    PairContact pair;
+    pair.between = {"large", "small"};
+    pair.stiffness = soft;
+    scene.contact.pairs.push_back(pair);
     const ContactScales scales = contact_scales(scene, scene.contact, one_of_each());
     EXPECT_EQ(time_of(scales, "small", "large").stiffness, 1e5);
     EXPECT_EQ(time_of(scales, "small", "small").stiffness, 1e7);

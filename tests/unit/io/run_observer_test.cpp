@@ -27,13 +27,9 @@ Scene falling_spheres() {
     scene.walls.push_back(floor);
     scene.contact.stiffness = ConstantStiffness::Params{.normal = 1e4, .shear = 1e4};
     scene.timestep = FixedTimestep{.value = 1e-5};
-    scene.stages.push_back({.name = "fall",
-                            .duration = 0.02,
-                            .motions = {},
-                            .contact = {},
-                            .timestep = {},
-                            .output = {},
-                            .average_interval = {}});
+    scene.stages.resize(1);
+    scene.stages[0].name = "fall";
+    scene.stages[0].duration = 0.02;
     scene.traces.resize(1);
     scene.output.frame_interval = 5e-3;
     scene.output.history_interval = 1e-3;
