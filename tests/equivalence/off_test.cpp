@@ -60,8 +60,9 @@ TEST(EffectOfStrengthZero, IsAsGoodAsOffForTwisting) {
 }
 
 TEST(EffectOfStrengthZero, IsAsGoodAsOffForCohesion) {
-    expect_same_path(rough_spheres(),
-                     [](Contact& c) { c.cohesion = LinearCohesion::Params{0.0, 1e-5}; });
+    expect_same_path(rough_spheres(), [](Contact& c) {
+        c.cohesion = LinearCohesion::Params{0.0, 1e-5};
+    });
 }
 
 TEST(EffectOfStrengthZero, IsAsGoodAsOffForMindlinFriction) {

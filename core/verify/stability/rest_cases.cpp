@@ -56,7 +56,7 @@ void check_column(Checks& checks) {
 }
 
 void check_pile(Checks& checks) {
-    const std::size_t loose = 3;
+    const std::size_t loose = 5;
     const double settling = 3.0;
     const double resting = checks.is_full() ? 10.0 : 0.5;
     Scene scene = scene_of({.normal = stiffness,

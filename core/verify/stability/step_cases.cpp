@@ -92,14 +92,15 @@ void check_chain(Checks& checks) {
         1.0 / (std::sqrt(stiffness / mass) * std::sin(0.5 * pi * count / (count + 1.0))));
 }
 
-/// Physics reference 2.3: the tangential limit of a sticking pair is 2 / sqrt(7 k / m).
+/// Physics reference 2.3: the tangential limit of a sticking pair is 2 / sqrt(7 k / m). Friction is
+/// so high that an unstable pair is thrown apart by far more energy than what squeezes it.
 void check_sticking(Checks& checks) {
     check_steps(
         checks,
         [](double dt) {
             return row(2,
                        dt,
-                       {.normal = stiffness, .shear = stiffness, .friction = 10.0},
+                       {.normal = stiffness, .shear = stiffness, .friction = 1000.0},
                        stiffness,
                        true);
         },
@@ -130,8 +131,8 @@ Scene bed(double duration) {
 }
 
 void check_packing(Checks& checks) {
-    // Some milliseconds more than it takes to come to rest.
-    const double settling = 1.2;
+    // Longer than it takes to come to rest, but for balls that roll on.
+    const double settling = 2.0;
     Scene scene = bed(settling);
     Run settled(scene);
     settled.advance(0);
@@ -161,11 +162,11 @@ void check_packing(Checks& checks) {
         checks.add_claim("runs on at " + text_of(factor) + " of the estimated stable step",
                          !ending.stopped);
         checks.add_bound(
-            "kinetic energy over what one radius of fall gives, without five loose balls, at " +
+            "kinetic energy over what one radius of fall gives, without twelve loose balls, at " +
                 text_of(factor) + " of the estimated stable step",
             "1",
             factor < 0.9 ? 1e-12 : 1e-5,
-            energy_of_resting(run.simulation(), mass, 5) / (216.0 * mass * 9.8 * r),
+            energy_of_resting(run.simulation(), mass, 12) / (216.0 * mass * 9.8 * r),
             factor < 0.9 ? "round-off of forces: at rest" : "some contacts are at their limit");
     }
     for (const double factor : {2.5, 3.0, 4.0}) {
