@@ -6,6 +6,7 @@
 
 #include "cli/bench/cases.hpp"
 #include "cli/bench/report.hpp"
+#include "cli/bench/scaling.hpp"
 #include "cli/bench/timing.hpp"
 
 #include <benchmark/benchmark.h>
@@ -165,6 +166,34 @@ private:
     const std::map<std::string, std::shared_ptr<Shared>>& shared_;
 };
 
+/// The report goes to the file as JSON, and to `out` as asked.
+void write_report(const BenchArguments& arguments,
+                  const std::string& json,
+                  const std::string& table,
+                  std::ostream& out) {
+    if (!arguments.output.empty()) {
+        io::write_file(arguments.output, json);
+    }
+    out << (arguments.json ? json : table);
+}
+
+int scaling_command(const BenchArguments& arguments,
+                    const std::vector<BenchCase>& cases,
+                    const BenchMachine& machine,
+                    std::ostream& out,
+                    std::ostream& err) {
+    std::vector<ScalingResult> results;
+    for (const BenchCase& bench_case : cases) {
+        err << bench_case.name << ": " << bench_case.about << std::endl;
+        results.push_back(measure_scaling(bench_case, arguments.scaling));
+    }
+    write_report(arguments,
+                 scaling_json(machine, arguments.scaling, results),
+                 scaling_table(machine, arguments.scaling, results),
+                 out);
+    return 0;
+}
+
 std::vector<BenchCase> chosen_cases(const std::string& filter) {
     std::vector<BenchCase> all = bench_cases();
     std::string names;
@@ -185,6 +214,9 @@ std::vector<BenchCase> chosen_cases(const std::string& filter) {
     } catch (const std::regex_error& error) {
         refuse("the filter is no regular expression", error.what());
     }
+    if (filter.empty()) {
+        std::erase_if(all, [](const BenchCase& bench_case) { return bench_case.is_on_request; });
+    }
     if (all.empty()) {
         refuse("no benchmark has a name that matches", "a misspelt name");
     }
@@ -198,6 +230,9 @@ int bench_command(const BenchArguments& arguments,
                   std::ostream& out,
                   std::ostream& err) {
     const std::vector<BenchCase> cases = chosen_cases(arguments.filter);
+    if (arguments.scaling > 0) {
+        return scaling_command(arguments, cases, machine, out, err);
+    }
     const unsigned threads = std::max(1U, arguments.threads);
     Failure failure;
     std::vector<BenchResult> results;
@@ -220,11 +255,10 @@ int bench_command(const BenchArguments& arguments,
         results.insert(results.end(), collector.results.begin(), collector.results.end());
     }
     benchmark::ClearRegisteredBenchmarks();
-    const std::string json = bench_json(machine, threads, results);
-    if (!arguments.output.empty()) {
-        io::write_file(arguments.output, json);
-    }
-    out << (arguments.json ? json : bench_table(machine, threads, results));
+    write_report(arguments,
+                 bench_json(machine, threads, results),
+                 bench_table(machine, threads, results),
+                 out);
     return 0;
 }
 

@@ -20,6 +20,7 @@ struct BenchArguments {
     bool json = false;             ///< JSON on out instead of the table
     std::filesystem::path output;  ///< file for the JSON as well; empty = none
     unsigned threads = 1;          ///< copies stepped side by side, one per thread
+    unsigned scaling = 0;          ///< threads that share each scene, against one; 0 = not asked
 };
 
 /// Returns the exit code; errors of the input and of files are thrown.

@@ -213,8 +213,14 @@ private:
             ->type_name("REGEX");
         sub->add_flag("--json", bench_.json, "Print JSON in place of the table");
         sub->add_option("-o,--output", bench_.output, "File that gets the JSON as well");
-        sub->add_option("--threads", bench_.threads, "Copies stepped side by side")
-            ->check(CLI::PositiveNumber);
+        CLI::Option* threads =
+            sub->add_option("--threads", bench_.threads, "Copies stepped side by side")
+                ->check(CLI::PositiveNumber);
+        sub->add_option("--scaling",
+                        bench_.scaling,
+                        "Threads that share each scene, compared with one thread")
+            ->check(CLI::Range(2U, 4096U))
+            ->excludes(threads);
         finish(*sub, "grainbench bench --filter shaken", [this] {
             return bench_command(
                 bench_,

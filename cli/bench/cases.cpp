@@ -133,8 +133,10 @@ Scene packed_box(int nx, int ny, int nz) {
 
 /// Settled with softer springs, whose step is ten times longer; the incremental spring keeps its
 /// force when the stiffness changes, so the bed stays at rest.
-Scene large_bed_at_rest() {
-    Scene scene = packed_box(100, 100, 10);
+///
+/// \param along balls along two sides of the box, which is ten layers deep
+Scene large_bed_at_rest(int along) {
+    Scene scene = packed_box(along, along, 10);
     Contact soft = example_contact();
     soft.stiffness = ConstantStiffness::Params{.normal = 0.1 * stiffness, .shear = 0.1 * stiffness};
     scene.contact = settling(soft);
@@ -256,10 +258,17 @@ std::vector<BenchCase> bench_cases() {
          .repetitions = 7},
         {.name = "large_bed_at_rest",
          .about = "100000 balls in a box, settled, automatic step",
-         .scene = large_bed_at_rest,
+         .scene = [] { return large_bed_at_rest(100); },
          .prepared = 0.021,
          .span = 0.0005,
          .repetitions = 5},
+        {.name = "million_bed_at_rest",
+         .about = "998560 balls in a box, settled, automatic step",
+         .scene = [] { return large_bed_at_rest(316); },
+         .prepared = 0.021,
+         .span = 0.0001,
+         .repetitions = 5,
+         .is_on_request = true},
         effects_case(
             "linear_spring", "4000 balls at rest: absolute normal spring alone", linear_contact()),
         effects_case("linear_spring_and_damping", "the same with dashpots", damped_contact()),

@@ -17,6 +17,7 @@ struct BenchCase {
     double prepared = 0.0;  ///< [s] simulated time before anything is timed
     double span = 0.0;      ///< [s] simulated time of one repetition
     int repetitions = 0;
+    bool is_on_request = false;  ///< too long to run unasked: a filter must ask for it
 };
 
 /// All benchmarks, in the order of the report.

@@ -63,7 +63,9 @@ void BenchRun::prepare() {
     if (simulation_) {
         return;
     }
-    simulation_.emplace(case_.scene(), 0);
+    SimulationOptions options;
+    options.threads = threads_;
+    simulation_.emplace(case_.scene(), 0, options);
     Observer nobody;
     while (simulation_->time() < case_.prepared) {
         simulation_->advance(slice, nobody);

@@ -35,7 +35,9 @@ using PhaseTimes = std::array<double, phase_count>;
 /// One running copy of a case; keeps its state from one repetition to the next.
 class BenchRun {
 public:
-    explicit BenchRun(BenchCase bench_case) : case_(std::move(bench_case)) {}
+    /// \param threads that share the work on the scene
+    explicit BenchRun(BenchCase bench_case, unsigned threads = 1)
+        : case_(std::move(bench_case)), threads_(threads) {}
 
     /// Builds the scene and runs it to the time from which on it is timed, if not done yet.
     void prepare();
@@ -53,6 +55,7 @@ private:
     PhaseTimes time_phases_of_one_span();
 
     BenchCase case_;
+    unsigned threads_;
     std::optional<Simulation> simulation_;
 };
 

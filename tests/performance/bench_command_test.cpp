@@ -75,6 +75,25 @@ TEST(BenchCommand, WritesTheSameNumbersAsJsonAndToItsFile) {
     EXPECT_GT(roofline.at("peak"), 1e8);
 }
 
+TEST(BenchCommand, ComparesThreadsInOneSceneWithOne) {
+    std::ostringstream out;
+    std::ostringstream err;
+    const BenchArguments arguments{.filter = "^effects/linear_spring$",
+                                   .json = true,
+                                   .output = {},
+                                   .threads = 1,
+                                   .scaling = 2};
+    EXPECT_EQ(bench_command(arguments, machine, out, err), 0);
+    const auto report = nlohmann::json::parse(out.str());
+    EXPECT_EQ(report.at("format"), "grainbench-scaling/1");
+    EXPECT_EQ(report.at("threads"), 2);
+    const auto& row = report.at("benchmarks").at(0);
+    EXPECT_EQ(row.at("alone").size(), 7U);
+    EXPECT_EQ(row.at("shared").size(), 7U);
+    EXPECT_GT(row.at("speed_up"), 0.0);
+    EXPECT_TRUE(row.at("same_state"));
+}
+
 /// By hand from the table of share/doc/performance.md: nobody touches, nothing is listed.
 TEST(WorkModel, CountsTheFlightOfALoneParticle) {
     Contact contact;
