@@ -60,6 +60,13 @@ bool ContactObjects::was_listed(Index i, Index j) const {
                               j);
 }
 
+void ContactObjects::forget_before() {
+    list_before_.count = 0;
+    release_if_large(list_before_.i);
+    release_if_large(list_before_.j);
+    release_if_large(rows_before_);
+}
+
 bool ContactObjects::set_touching(std::span<const std::uint64_t> now, const Workers& workers) {
     constexpr std::size_t part_size = 128;  // words: enough work to be worth a thread
     const std::size_t parts = (now.size() + part_size - 1) / part_size;

@@ -25,8 +25,11 @@ public:
     /// stay keep their history.
     void renew(const PairList& from, std::span<const Index> found);
 
-    /// True if the pair was in the list before the last renewal.
+    /// True if the pair was in the list before the last renewal; nothing is after forget_before().
     bool was_listed(Index i, Index j) const;
+
+    /// Gives back the room of what was before the last renewal, if it is large.
+    void forget_before();
 
     /// Takes over which objects touch, one bit each, and forgets the history of those that opened.
     /// True if any opened or closed.

@@ -65,6 +65,7 @@ void PairContacts::renew(const ParticleState& particles, const Kernels& kernels)
     within_.resize(objects_.list().words());
     cut_into_slabs(particles);
     adopt_late_contacts(particles, kernels);
+    objects_.forget_before();
     ++renewals_;
 }
 

@@ -96,7 +96,7 @@ void CandidateFinder::find(const ParticleState& particles,
                   .extra = extra,
                   .i = nullptr,
                   .j = nullptr,
-                  .capacity = std::max<std::size_t>(found_i_.size(), 64)};
+                  .capacity = std::max<std::size_t>({found_i_.size(), pairs.i.size(), 64})};
         while (search.next < search.count) {
             found_i_.resize(search.capacity);
             found_j_.resize(search.capacity);
@@ -107,6 +107,18 @@ void CandidateFinder::find(const ParticleState& particles,
         }
     }
     order_pairs(particles.size(), search.found, pairs);
+    release_work_space();
+}
+
+void CandidateFinder::release_work_space() {
+    for (Column<Index>* column : {&found_i_, &found_j_}) {
+        release_if_large(*column);
+    }
+    for (std::vector<Index>* column : {&cell_start_, &next_, &slot_, &row_start_}) {
+        release_if_large(*column);
+    }
+    release_if_large(cell_of_);
+    release_if_large(packet_);
 }
 
 }  // namespace grainbench

@@ -39,7 +39,7 @@ struct PairList {
 
 /// Finds all pairs whose distance is at most scale * (R_i + R_j) + extra. The grid suits the
 /// smallest particle; a pair is found by its larger particle, which looks as many cells around as
-/// it needs, so size ratios cost little. Work space is kept between calls.
+/// it needs, so size ratios cost little. Small work space is kept between calls.
 class CandidateFinder {
 public:
     void find(const ParticleState& particles,
@@ -51,6 +51,7 @@ public:
 private:
     void sort_into_cells(const ParticleState& particles, double edge);
     void order_pairs(Index particle_count, std::size_t found, PairList& pairs);
+    void release_work_space();
 
     CellGrid grid_{};
     std::vector<Index> cell_start_;

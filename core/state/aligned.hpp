@@ -27,4 +27,14 @@ struct CacheLineAllocator {
 template <class T>
 using Column = std::vector<T, CacheLineAllocator<T>>;
 
+/// Gives work space back that is too large to be kept between its uses; what is left is empty.
+/// Small work space stays, because asking for it again costs more than it takes.
+template <class Container>
+void release_if_large(Container& work_space) {
+    constexpr std::size_t largest_kept = 8U << 20U;  // bytes
+    if (work_space.capacity() * sizeof(typename Container::value_type) > largest_kept) {
+        work_space = Container();
+    }
+}
+
 }  // namespace grainbench
