@@ -242,6 +242,9 @@ private:
         sub->add_flag("--single-contact",
                       study_.single_contact,
                       "How errors of one impact fall with the steps in it");
+        sub->add_flag("--stability-map",
+                      study_.stability_map,
+                      "Which steps are stable, and what they do to the energy");
         sub->add_option("-o,--output",
                         study_.folder,
                         "Folder of the result; out/<name of the study> if absent");

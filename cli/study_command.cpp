@@ -11,6 +11,7 @@
 #include "cli/jobs/job_pool.hpp"
 #include "cli/study/report.hpp"
 #include "cli/study/single_contact.hpp"
+#include "cli/study/stability_map.hpp"
 #include "cli/study/suggest.hpp"
 
 #include <fmt/chrono.h>
@@ -50,13 +51,15 @@ StudyOrigin origin_of(const StudyArguments& arguments) {
 
 void require_one_task(const StudyArguments& arguments) {
     const int tasks = (arguments.study.empty() ? 0 : 1) + (arguments.suggest.empty() ? 0 : 1) +
-                      (arguments.single_contact ? 1 : 0);
+                      (arguments.single_contact ? 1 : 0) + (arguments.stability_map ? 1 : 0);
     if (tasks != 1) {
         throw_bad_input(
             {.what = tasks == 0 ? "no study was named" : "more than one study was asked for",
              .where = "grainbench study",
-             .likely_cause = "STUDY.json, --suggest and --single-contact exclude each other",
-             .next_step = "name a study file, or --suggest SCENE.json, or --single-contact"});
+             .likely_cause = "STUDY.json, --suggest, --single-contact and --stability-map exclude "
+                             "each other",
+             .next_step = "name a study file, or --suggest SCENE.json, --single-contact or "
+                          "--stability-map"});
     }
 }
 
@@ -74,12 +77,29 @@ int run_single_contact(const StudyArguments& arguments, const Streams& streams) 
     return exit_ok;
 }
 
+int run_stability_map(const StudyArguments& arguments, const Streams& streams) {
+    const std::filesystem::path folder =
+        arguments.folder.empty() ? std::filesystem::path("out/stability-map") : arguments.folder;
+    StudyOrigin origin = origin_of(arguments);
+    origin.command = "grainbench study --stability-map";
+    const StabilityMapResult result = study_stability_map();
+    write_stability_map_folder(result, origin, folder);
+    streams.out << stability_map_text(result);
+    if (!arguments.quiet) {
+        streams.err << fmt::format("written to {}\n", (folder / "stability-map.svg").string());
+    }
+    return exit_ok;
+}
+
 }  // namespace
 
 int study_command(const StudyArguments& arguments, const Streams& streams) {
     require_one_task(arguments);
     if (arguments.single_contact) {
         return run_single_contact(arguments, streams);
+    }
+    if (arguments.stability_map) {
+        return run_stability_map(arguments, streams);
     }
     const std::filesystem::path file = file_of(arguments);
     const io::Study study =

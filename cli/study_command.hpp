@@ -14,6 +14,7 @@ struct StudyArguments {
     std::filesystem::path cache;    ///< of runs; empty = <folder>/runs
     unsigned threads = 0;           ///< 0 = one for each processor
     bool single_contact = false;    ///< one impact in place of a study file
+    bool stability_map = false;     ///< the map in place of a study file
     bool quick = false;
     bool quiet = false;  ///< no talk
     bool json = false;   ///< JSON on out in place of the table
