@@ -4,6 +4,7 @@ include(GNUInstallDirs)
 option(GRAINBENCH_BUILD_IO "Build file formats (VTK, HDF5, JSON)" ON)
 option(GRAINBENCH_BUILD_RENDER "Build the renderer (VTK on OSMesa) and the command line, which draws" ${GRAINBENCH_BUILD_IO})
 option(GRAINBENCH_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
+option(GRAINBENCH_FUZZ "Build the fuzz targets with libFuzzer; needs clang and a fuzzer-no-link sanitizer" OFF)
 option(GRAINBENCH_WERROR "Treat warnings as errors" OFF)
 set(GRAINBENCH_SANITIZE "" CACHE STRING "Sanitizers, as in -fsanitize=...: address,undefined or thread")
 
