@@ -1,4 +1,6 @@
 // The program as a process: signals, kills, and going on from what they leave.
+#include "tests/cli/process.hpp"
+
 #include "io/atomic_file.hpp"
 #include "io/hdf5/checkpoint.hpp"
 #include "io/hdf5/history.hpp"
@@ -8,18 +10,12 @@
 #include "tests/cli/scenes.hpp"
 #include "tests/unit/io/temporary_folder.hpp"
 
-#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <functional>
-#include <system_error>
 #include <thread>
 
 namespace grainbench::cli {
@@ -27,58 +23,6 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
-
-/// `grainbench` with these arguments; what it says goes into files.
-class Process {
-public:
-    Process(std::vector<std::string> arguments, const std::filesystem::path& err) {
-        std::vector<char*> pointers{const_cast<char*>(GRAINBENCH_PROGRAM)};
-        for (std::string& argument : arguments) {
-            pointers.push_back(argument.data());
-        }
-        pointers.push_back(nullptr);
-        id_ = fork();
-        if (id_ == 0) {
-            const int file = open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-            dup2(file, STDOUT_FILENO);
-            dup2(file, STDERR_FILENO);
-            execv(GRAINBENCH_PROGRAM, pointers.data());
-            _exit(127);
-        }
-    }
-
-    ~Process() {
-        if (id_ > 0) {
-            kill(id_, SIGKILL);
-            waitpid(id_, nullptr, 0);
-        }
-    }
-
-    Process(const Process&) = delete;
-    Process& operator=(const Process&) = delete;
-
-    void send(int signal) const { kill(id_, signal); }
-
-    bool is_running() {
-        if (id_ > 0 && waitpid(id_, &status_, WNOHANG) == id_) {
-            id_ = -1;
-        }
-        return id_ > 0;
-    }
-
-    /// Exit code, or minus the signal that ended it.
-    int wait() {
-        if (id_ > 0) {
-            waitpid(id_, &status_, 0);
-            id_ = -1;
-        }
-        return WIFEXITED(status_) ? WEXITSTATUS(status_) : -WTERMSIG(status_);
-    }
-
-private:
-    pid_t id_ = -1;
-    int status_ = 0;
-};
 
 class ProcessTest : public testing::Test {
 protected:
