@@ -43,9 +43,28 @@ public:
         return std::get<std::vector<T>>(found->second);
     }
 
-    double number(const std::string& name) const { return get<double>(name).at(0); }
+    /// Column of that length.
+    template <class T>
+    const std::vector<T>& get(const std::string& name, std::size_t length) const {
+        const std::vector<T>& column = get<T>(name);
+        require(column.size() == length, name);
+        return column;
+    }
 
-    std::uint64_t count(const std::string& name) const { return get<std::uint64_t>(name).at(0); }
+    double number(const std::string& name) const { return get<double>(name, 1)[0]; }
+
+    std::uint64_t count(const std::string& name) const { return get<std::uint64_t>(name, 1)[0]; }
+
+    /// Refuses a column whose content cannot be of this scene. Sums over the bytes tell damage;
+    /// this is for files of other versions, and for what somebody made up.
+    static void require(bool fits, const std::string& name) {
+        if (!fits) {
+            throw_input_output({.what = "the column '" + name + "' does not fit the scene",
+                                .where = "checkpoint",
+                                .likely_cause = "written by another version of grainbench",
+                                .next_step = "run the scene again without --resume"});
+        }
+    }
 
     const std::map<std::string, Column>& columns() const { return columns_; }
 

@@ -469,6 +469,7 @@ void Engine::save(Archive& archive) const {
                                     fastest_.x,
                                     fastest_.y,
                                     fastest_.z});
+    archive.put("engine/has_records", std::uint64_t{has_records_});
     particles_.save(archive);
     pairs_.save(archive);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
@@ -483,23 +484,29 @@ void Engine::save(Archive& archive) const {
 
 void Engine::load(const Archive& archive) {
     cycle_ = archive.count("engine/cycle");
-    const auto& numbers = archive.get<double>("engine/numbers");
-    time_ = numbers.at(0);
-    timestep_ = numbers.at(1);
-    stable_ = numbers.at(2);
-    bed_velocity_ = {numbers.at(3), numbers.at(4), numbers.at(5)};
-    bed_shift_ = {numbers.at(6), numbers.at(7), numbers.at(8)};
-    fastest_ = {numbers.at(9), numbers.at(10), numbers.at(11)};
+    const auto& numbers = archive.get<double>("engine/numbers", 12);
+    time_ = numbers[0];
+    timestep_ = numbers[1];
+    stable_ = numbers[2];
+    bed_velocity_ = {numbers[3], numbers[4], numbers[5]};
+    bed_shift_ = {numbers[6], numbers[7], numbers[8]};
+    fastest_ = {numbers[9], numbers[10], numbers[11]};
     particles_.load(archive);
     pairs_.load(archive, particles_);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         const std::string name = "wall-" + std::to_string(w + 1);
         walls_[w].load(archive, name);
-        wall_contacts_[w].load(archive, name + "/contacts");
+        wall_contacts_[w].load(archive, name + "/contacts", particles_, walls_[w]);
     }
     if (ledger_) {
         ledger_->load(archive);
     }
+    has_records_ = archive.count("engine/has_records") != 0;
+    const bool has_all = std::all_of(wall_contacts_.begin(),
+                                     wall_contacts_.end(),
+                                     [](const auto& wall) { return wall.has_all_records(); });
+    Archive::require((pairs_.has_all_records() && has_all) || !(has_records_ || keep_records_),
+                     "pairs/records");
 }
 
 }  // namespace grainbench

@@ -4,10 +4,27 @@
 #include "core/archive.hpp"
 #include "core/scene.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 
 namespace grainbench {
+
+/// Largest n, at least `first`, for which origin + n * interval <= t. Where steps are so much
+/// longer than the interval that counting is hopeless, `first`: due once in each step.
+inline std::uint64_t last_due(double t, double origin, double interval, std::uint64_t first) {
+    constexpr double hopeless = 1e15;
+    const double guess = (t - origin) / interval;
+    if (!(guess < hopeless)) {
+        return first;
+    }
+    // One less, for rounding; then as the definition says.
+    std::uint64_t n = std::max(first, static_cast<std::uint64_t>(std::max(guess - 1.0, 0.0)));
+    while (t >= origin + static_cast<double>(n + 1) * interval) {
+        ++n;
+    }
+    return n;
+}
 
 /// Fires at origin + n * interval, n = 1, 2, ...; at most once per call.
 class IntervalTimer {
@@ -22,9 +39,7 @@ public:
         if (interval_ <= 0.0 || t < origin_ + static_cast<double>(fired_ + 1) * interval_) {
             return false;
         }
-        while (t >= origin_ + static_cast<double>(fired_ + 1) * interval_) {
-            ++fired_;
-        }
+        fired_ = last_due(t, origin_, interval_, fired_ + 1);
         return true;
     }
 
@@ -33,9 +48,10 @@ public:
         archive.put(name + "/fired", fired_);
     }
 
+    /// Call after begin() of the same stage.
     void load(const Archive& archive, const std::string& name) {
-        origin_ = archive.get<double>(name + "/times").at(0);
-        interval_ = archive.get<double>(name + "/times").at(1);
+        const std::vector<double> expected{origin_, interval_};
+        Archive::require(archive.get<double>(name + "/times") == expected, name + "/times");
         fired_ = archive.count(name + "/fired");
     }
 

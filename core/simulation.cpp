@@ -3,6 +3,7 @@
 #include "core/engine.hpp"
 #include "core/guards/watch.hpp"
 #include "core/measure/elevation.hpp"
+#include "core/measure/memory_need.hpp"
 #include "core/measure/selection.hpp"
 #include "core/schedule.hpp"
 
@@ -78,6 +79,7 @@ struct Simulation::Impl {
 
     void name_columns();
     void enter_stage(std::size_t next);
+    void begin_intervals();
     void observe();
     void report_all(Observer& observer, const Simulation& self);
     void report_due(Observer& observer, const Simulation& self);
@@ -152,6 +154,10 @@ void Simulation::Impl::enter_stage(std::size_t next) {
     stage_end = stage_start + current_stage().duration;
     engine.begin_stage(current_stage());
     guards.begin_stage();
+    begin_intervals();
+}
+
+void Simulation::Impl::begin_intervals() {
     schedule.begin(output(), stage_start);
     if (elevation) {
         elevation->begin_interval(stage_start,
@@ -197,7 +203,7 @@ void Simulation::Impl::report_due(Observer& observer, const Simulation& self) {
 }
 
 Simulation::Simulation(const Scene& scene, int index, const SimulationOptions& options)
-    : impl_(std::make_unique<Impl>(scene, index, options)) {}
+    : impl_((require_memory(scene), std::make_unique<Impl>(scene, index, options))) {}
 
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
@@ -211,7 +217,9 @@ bool Simulation::advance(std::uint64_t cycles, Observer& observer) {
             s.elevation->sample(s.engine.particles(), s.engine.time());
         }
         s.report_all(observer, *this);
-        s.guards.look(s.engine);
+    }
+    if (s.engine.cycle() == 0) {
+        s.guards.look(s.engine);  // again after a restart from the very first state
     }
     while (!s.finished) {
         if (s.engine.time() >= s.stage_end) {
@@ -516,26 +524,34 @@ void Simulation::save(Archive& archive) const {
 
 void Simulation::load(const Archive& archive) {
     Impl& s = *impl_;
-    const auto& numbers = archive.get<double>("numbers");
+    const auto& numbers = archive.get<double>("numbers", 5);
+    const auto& flags = archive.get<std::uint8_t>("flags", 2);
     const auto stage = static_cast<std::size_t>(archive.count("stage"));
+    Archive::require(stage < s.scene.stages.size(), "stage");
     for (std::size_t next = 1; next <= stage && next < s.scene.stages.size(); ++next) {
         s.engine.begin_stage(s.scene.stages[next]);
     }
     s.stage = stage;
     s.engine.load(archive);
+    Archive::require(archive.number("time") == time() && archive.count("cycle") == cycle(),
+                     "cycle");
     s.guards.load(archive);
-    s.schedule.begin(s.output(), numbers.at(0));
+    s.stage_start = numbers[0];
+    s.stage_end = numbers[1];
+    Archive::require(s.stage_end == s.stage_start + s.current_stage().duration &&
+                         s.engine.time() >= s.stage_start &&
+                         s.engine.time() <= s.stage_end + s.engine.timestep(),
+                     "numbers");
+    s.begin_intervals();
     s.schedule.load(archive);
     if (s.elevation) {
         s.elevation->load(archive);
     }
-    s.stage_start = numbers.at(0);
-    s.stage_end = numbers.at(1);
-    s.smallest_timestep = numbers.at(2);
-    s.largest_timestep = numbers.at(3);
-    s.largest_overlap_ratio = numbers.at(4);
-    s.started = archive.get<std::uint8_t>("flags").at(0) != 0;
-    s.finished = archive.get<std::uint8_t>("flags").at(1) != 0;
+    s.smallest_timestep = numbers[2];
+    s.largest_timestep = numbers[3];
+    s.largest_overlap_ratio = numbers[4];
+    s.started = flags[0] != 0;
+    s.finished = flags[1] != 0;
 }
 
 }  // namespace grainbench

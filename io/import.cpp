@@ -22,6 +22,18 @@ std::string extension_of(const std::filesystem::path& path) {
     return extension;
 }
 
+/// A scene may name any file that its user may read, but no device or pipe: those have no end, or
+/// wait for ever.
+void check_regular(const std::filesystem::path& path) {
+    std::error_code error;
+    if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error)) {
+        throw_bad_input({.what = "'" + path.string() + "' is no ordinary file",
+                         .where = path.string(),
+                         .likely_cause = "a folder, a device or a pipe",
+                         .next_step = "name a file, or write what the pipe gives to one first"});
+    }
+}
+
 // --- particles -----------------------------------------------------------------------------------
 
 constexpr std::string_view species_column = "species";
@@ -160,6 +172,7 @@ void check_corner(const Vec3& corner, const std::string& place) {
 
 std::vector<FileInsertion::Row> read_particles(const std::filesystem::path& path,
                                                const std::string& default_species) {
+    check_regular(path);
     const std::string extension = extension_of(path);
     if (extension == ".csv") {
         return read_csv_particles(path, default_species);
@@ -184,6 +197,7 @@ void read_mesh(const std::filesystem::path& path,
                          .likely_cause = "another format, or a name without its ending",
                          .next_step = "give an .stl or a .vtp file"});
     }
+    check_regular(path);
     const std::vector<std::array<Vec3, 3>> corners =
         extension == ".stl" ? read_stl_triangles(path) : read_vtp_triangles(path);
     vertices.clear();

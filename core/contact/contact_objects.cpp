@@ -136,15 +136,16 @@ void ContactObjects::save(Archive& archive, const std::string& name) const {
     archive.put(name + "/rows", std::vector<double>(rows_.begin(), rows_.end()));
 }
 
-void ContactObjects::load(const Archive& archive, const std::string& name) {
-    const auto& i = archive.get<Index>(name + "/i");
-    const auto& j = archive.get<Index>(name + "/j");
-    list_.i.assign(i.begin(), i.end());
-    list_.j.assign(j.begin(), j.end());
-    list_.count = static_cast<Index>(i.size());
-    list_.pad();
-    acting_ = archive.get<std::uint64_t>(name + "/acting");
-    const auto& rows = archive.get<double>(name + "/rows");
+void ContactObjects::load(const Archive& archive,
+                          const std::string& name,
+                          std::size_t i_end,
+                          std::size_t j_end) {
+    list_.load(archive, name + "/i", name + "/j", i_end, j_end);
+    acting_ = archive.get<std::uint64_t>(name + "/acting", list_.words());
+    const std::uint64_t beyond =
+        list_.count % 64 == 0 ? 0 : ~std::uint64_t{0} << (list_.count % 64);
+    Archive::require(acting_.empty() || (acting_.back() & beyond) == 0, name + "/acting");
+    const auto& rows = archive.get<double>(name + "/rows", stride() * list_.i.size());
     rows_.assign(rows.begin(), rows.end());
     touching_.resize(list_.i.size());
     touching_count_ = 0;

@@ -65,7 +65,10 @@ public:
     void change_history(std::span<const int> sources);
 
     void save(Archive& archive, const std::string& name) const;
-    void load(const Archive& archive, const std::string& name);
+    void load(const Archive& archive,
+              const std::string& name,
+              std::size_t i_end,
+              std::size_t j_end);
 
 private:
     std::size_t stride() const {

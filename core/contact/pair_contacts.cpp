@@ -199,22 +199,18 @@ void PairContacts::save(Archive& archive) const {
 }
 
 void PairContacts::load(const Archive& archive, const ParticleState& particles) {
-    clock_.load(archive, "pairs");
-    const auto& i = archive.get<Index>("pairs/candidate_i");
-    const auto& j = archive.get<Index>("pairs/candidate_j");
-    candidates_.i.assign(i.begin(), i.end());
-    candidates_.j.assign(j.begin(), j.end());
-    candidates_.count = static_cast<Index>(i.size());
-    candidates_.pad();
-    objects_.load(archive, "pairs/objects");
+    const std::size_t size = particles.size();
+    clock_.load(archive, "pairs", particles);
+    candidates_.load(archive, "pairs/candidate_i", "pairs/candidate_j", size, size);
+    objects_.load(archive, "pairs/objects", size, size);
     within_.assign(objects_.list().words(), 0);
     cut_into_slabs(particles);
     const auto& records = archive.get<double>("pairs/records");
     records_.assign(records.begin(), records.end());
-    const auto& counters = archive.get<std::uint64_t>("pairs/counters");
-    late_ = counters.at(0);
-    renewals_ = counters.at(1);
-    builds_ = counters.at(2);
+    const auto& counters = archive.get<std::uint64_t>("pairs/counters", 3);
+    late_ = counters[0];
+    renewals_ = counters[1];
+    builds_ = counters[2];
 }
 
 }  // namespace grainbench

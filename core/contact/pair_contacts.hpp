@@ -74,6 +74,9 @@ public:
     void save(Archive& archive) const;
     void load(const Archive& archive, const ParticleState& particles);
 
+    /// Whether records() has one record for each touching contact.
+    bool has_all_records() const { return records_.size() == touching().size() * record_size; }
+
 private:
     void build_candidates(const ParticleState& particles, const Kernels& kernels);
     void renew(const ParticleState& particles, const Kernels& kernels);

@@ -499,17 +499,18 @@ void WallContacts::save(Archive& archive, const std::string& name) const {
     archive.put(name + "/late", late_);
 }
 
-void WallContacts::load(const Archive& archive, const std::string& name) {
-    clock_.load(archive, name);
-    const auto& particle = archive.get<Index>(name + "/candidate_particle");
-    const auto& patch = archive.get<Index>(name + "/candidate_patch");
-    candidates_.i.assign(particle.begin(), particle.end());
-    candidates_.j.assign(patch.begin(), patch.end());
-    candidates_.count = static_cast<Index>(particle.size());
-    candidates_.pad();
-    objects_.load(archive, name + "/objects");
+void WallContacts::load(const Archive& archive,
+                        const std::string& name,
+                        const ParticleState& particles,
+                        const WallBody& wall) {
+    const std::size_t size = particles.size();
+    const std::size_t patches = wall.surface().patch_count();
+    clock_.load(archive, name, particles);
+    candidates_.load(
+        archive, name + "/candidate_particle", name + "/candidate_patch", size, patches);
+    objects_.load(archive, name + "/objects", size, patches);
     cut_into_parts();
-    const auto& force = archive.get<double>(name + "/force");
+    const auto& force = archive.get<double>(name + "/force", 4 * std::size_t{touching_count()});
     force_.assign(force.begin(), force.end());
     const auto& records = archive.get<double>(name + "/records");
     records_.assign(records.begin(), records.end());

@@ -90,7 +90,15 @@ public:
     std::uint64_t late_count() const { return late_; }
 
     void save(Archive& archive, const std::string& name) const;
-    void load(const Archive& archive, const std::string& name);
+    void load(const Archive& archive,
+              const std::string& name,
+              const ParticleState& particles,
+              const WallBody& wall);
+
+    /// Whether records() has one record for each touching contact.
+    bool has_all_records() const {
+        return records_.size() == std::size_t{touching_count()} * record_size;
+    }
 
 private:
     struct Hit {

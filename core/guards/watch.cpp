@@ -468,16 +468,16 @@ void GuardWatch::save(Archive& archive) const {
 }
 
 void GuardWatch::load(const Archive& archive) {
-    const auto& numbers = archive.get<double>("guards/numbers");
-    has_budget_ = numbers.at(0) != 0.0;
-    budget_ = numbers.at(1);
-    supplied_ = numbers.at(2);
-    turnover_ = numbers.at(3);
-    potential_ = numbers.at(4);
-    way_ = numbers.at(5);
-    gravity_ = {numbers.at(6), numbers.at(7), numbers.at(8)};
-    wall_load_ = archive.get<double>("guards/wall_load");
-    lost_ = archive.get<std::uint8_t>("guards/lost");
+    const auto& numbers = archive.get<double>("guards/numbers", 9);
+    has_budget_ = numbers[0] != 0.0;
+    budget_ = numbers[1];
+    supplied_ = numbers[2];
+    turnover_ = numbers[3];
+    potential_ = numbers[4];
+    way_ = numbers[5];
+    gravity_ = {numbers[6], numbers[7], numbers[8]};
+    wall_load_ = archive.get<double>("guards/wall_load", wall_load_.size());
+    lost_ = archive.get<std::uint8_t>("guards/lost", lost_.size());
     lost_count_ = archive.count("guards/lost_count");
     overlap_warning_ = text_in(archive, "guards/overlap_warning");
     speed_warning_ = text_in(archive, "guards/speed_warning");

@@ -1,5 +1,7 @@
 #include "core/measure/elevation.hpp"
 
+#include "core/schedule.hpp"
+
 #include <limits>
 
 namespace grainbench {
@@ -50,9 +52,7 @@ void Elevation::sample(const ParticleState& particles, double t) {
         average_ = sum_ / static_cast<double>(count_);
         sum_ = 0.0;
         count_ = 0;
-        while (t >= origin_ + static_cast<double>(complete_ + 1) * interval_) {
-            ++complete_;
-        }
+        complete_ = last_due(t, origin_, interval_, complete_ + 1);
     }
 }
 
@@ -68,16 +68,15 @@ void Elevation::save(Archive& archive) const {
 }
 
 void Elevation::load(const Archive& archive) {
-    const auto& numbers = archive.get<double>("elevation/numbers");
-    origin_ = numbers.at(0);
-    interval_ = numbers.at(1);
-    sum_ = numbers.at(2);
-    last_ = numbers.at(3);
-    average_ = if_number(numbers.at(4));
-    entrainment_time_ = if_number(numbers.at(5));
-    const auto& counts = archive.get<std::uint64_t>("elevation/counts");
-    complete_ = counts.at(0);
-    count_ = counts.at(1);
+    const auto& numbers = archive.get<double>("elevation/numbers", 6);
+    Archive::require(origin_ == numbers[0] && interval_ == numbers[1], "elevation/numbers");
+    sum_ = numbers[2];
+    last_ = numbers[3];
+    average_ = if_number(numbers[4]);
+    entrainment_time_ = if_number(numbers[5]);
+    const auto& counts = archive.get<std::uint64_t>("elevation/counts", 2);
+    complete_ = counts[0];
+    count_ = counts[1];
 }
 
 }  // namespace grainbench

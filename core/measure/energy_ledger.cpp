@@ -144,13 +144,13 @@ void EnergyLedger::save(Archive& archive) const {
 }
 
 void EnergyLedger::load(const Archive& archive) {
-    const auto& sums = archive.get<double>("energy");
-    initial_ = sums.at(0);
-    initial_elastic_ = sums.at(1);
-    slip_ = sums.at(2);
-    dashpot_ = sums.at(3);
-    spring_work_ = sums.at(4);
-    wall_work_ = sums.at(5);
+    const auto& sums = archive.get<double>("energy", 6);
+    initial_ = sums[0];
+    initial_elastic_ = sums[1];
+    slip_ = sums[2];
+    dashpot_ = sums[3];
+    spring_work_ = sums[4];
+    wall_work_ = sums[5];
 }
 
 }  // namespace grainbench

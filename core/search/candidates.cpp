@@ -1,8 +1,27 @@
 #include "core/search/candidates.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace grainbench {
+
+void PairList::load(const Archive& archive,
+                    const std::string& i_name,
+                    const std::string& j_name,
+                    std::size_t i_end,
+                    std::size_t j_end) {
+    const auto& i_column = archive.get<Index>(i_name);
+    const auto& j_column = archive.get<Index>(j_name, i_column.size());
+    for (std::size_t k = 0; k < i_column.size(); ++k) {
+        const bool is_ordered = k == 0 || std::pair(i_column[k - 1], j_column[k - 1]) <
+                                              std::pair(i_column[k], j_column[k]);
+        Archive::require(is_ordered && i_column[k] < i_end && j_column[k] < j_end, i_name);
+    }
+    i.assign(i_column.begin(), i_column.end());
+    j.assign(j_column.begin(), j_column.end());
+    count = static_cast<Index>(i.size());
+    pad();
+}
 
 void CandidateFinder::sort_into_cells(const ParticleState& particles, double edge) {
     const Index n = particles.size();

@@ -1,6 +1,7 @@
 /// Candidate pairs from a grid of cells, in lexicographic order of (i, j), i < j.
 #pragma once
 
+#include "core/archive.hpp"
 #include "core/state/aligned.hpp"
 #include "core/state/particle_state.hpp"
 
@@ -32,6 +33,13 @@ struct PairList {
         i.resize((static_cast<std::size_t>(count) + 63) / 64 * 64, 0);
         j.resize(i.size(), 0);
     }
+
+    /// Takes over the columns of those names; every i must be below i_end, and every j below j_end.
+    void load(const Archive& archive,
+              const std::string& i_name,
+              const std::string& j_name,
+              std::size_t i_end,
+              std::size_t j_end);
 
     /// One bit per pair fills so many words.
     std::size_t words() const { return i.size() / 64; }

@@ -79,14 +79,16 @@ void ListClock::save(Archive& archive, const std::string& name) const {
     archive.put(name + "/horizon", std::vector<double>{last_travel_, ahead_travel_, horizon_});
 }
 
-void ListClock::load(const Archive& archive, const std::string& name) {
-    object_clock_.load(archive, name + "/object_clock");
-    candidate_clock_.load(archive, name + "/candidate_clock");
+void ListClock::load(const Archive& archive,
+                     const std::string& name,
+                     const ParticleState& particles) {
+    object_clock_.load(archive, name + "/object_clock", particles);
+    candidate_clock_.load(archive, name + "/candidate_clock", particles);
     last_cycle_ = archive.count(name + "/last_cycle");
-    const auto& horizon = archive.get<double>(name + "/horizon");
-    last_travel_ = horizon.at(0);
-    ahead_travel_ = horizon.at(1);
-    horizon_ = horizon.at(2);
+    const auto& horizon = archive.get<double>(name + "/horizon", 3);
+    last_travel_ = horizon[0];
+    ahead_travel_ = horizon[1];
+    horizon_ = horizon[2];
     started_ = true;
 }
 

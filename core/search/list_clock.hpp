@@ -57,7 +57,7 @@ public:
     bool is_started() const { return started_; }
 
     void save(Archive& archive, const std::string& name) const;
-    void load(const Archive& archive, const std::string& name);
+    void load(const Archive& archive, const std::string& name, const ParticleState& particles);
 
 private:
     double object_travel(double smallest_radius) const;

@@ -45,11 +45,13 @@ void TravelClock::save(Archive& archive, const std::string& name) const {
     archive.put(name + "/reference", std::vector<double>(reference_.begin(), reference_.end()));
 }
 
-void TravelClock::load(const Archive& archive, const std::string& name) {
-    const auto& travel = archive.get<double>(name + "/travel");
-    travel_ = travel.at(0);
-    shift_ = {travel.at(1), travel.at(2), travel.at(3)};
-    const auto& reference = archive.get<double>(name + "/reference");
+void TravelClock::load(const Archive& archive,
+                       const std::string& name,
+                       const ParticleState& particles) {
+    const auto& travel = archive.get<double>(name + "/travel", 4);
+    travel_ = travel[0];
+    shift_ = {travel[1], travel[2], travel[3]};
+    const auto& reference = archive.get<double>(name + "/reference", particles.positions().size());
     reference_.assign(reference.begin(), reference.end());
 }
 

@@ -32,7 +32,7 @@ public:
     double travel() const { return travel_; }
 
     void save(Archive& archive, const std::string& name) const;
-    void load(const Archive& archive, const std::string& name);
+    void load(const Archive& archive, const std::string& name, const ParticleState& particles);
 
 private:
     double measure(const ParticleState& particles, const Vec3& shift, const Kernels& kernels) const;

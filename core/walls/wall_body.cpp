@@ -106,15 +106,15 @@ void WallBody::save(Archive& archive, const std::string& name) const {
 }
 
 void WallBody::load(const Archive& archive, const std::string& name) {
-    const auto& pose = archive.get<double>(name + "/pose");
-    displacement_ = {pose.at(0), pose.at(1), pose.at(2)};
+    const auto& pose = archive.get<double>(name + "/pose", 8);
+    displacement_ = {pose[0], pose[1], pose[2]};
     std::copy_n(pose.begin() + 3, 4, quaternion_);
-    turned_ = pose.at(7) != 0.0;
+    turned_ = pose[7] != 0.0;
     // The choice of motion comes from the stages; only when it began is part of the state.
     set_motion(motion_choice_, archive.number(name + "/motion_start"));
-    const auto& v = archive.get<double>(name + "/velocity");
-    velocity_ = {{v.at(0), v.at(1), v.at(2)}, {v.at(3), v.at(4), v.at(5)}};
-    const auto& rotation = archive.get<double>(name + "/rotation");
+    const auto& v = archive.get<double>(name + "/velocity", 6);
+    velocity_ = {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+    const auto& rotation = archive.get<double>(name + "/rotation", 9);
     std::copy_n(rotation.begin(), 9, rotation_);
 }
 

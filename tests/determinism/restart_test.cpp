@@ -96,5 +96,92 @@ TEST(Restart, ContinuesToTheSameBitsWhereInertiaWasScaled) {
     expect_same_after_restart(scene, {{1400, 0}, {1700, 1}});
 }
 
+/// Each leg begins in a new simulation with what the straight run had there, so that a difference
+/// cannot hide behind the next saved state.
+TEST(Restart, ContinuesToTheSameBitsFromLegToLeg) {
+    constexpr std::uint64_t leg = 97;
+    const Scene scene = thrown_bed();
+    Recorder straight_record;
+    Simulation straight(scene, 0);
+    std::vector<Archive> states;
+    std::vector<std::size_t> rows;
+    while (!straight.advance(leg, straight_record)) {
+        states.push_back(saved(straight));
+        rows.push_back(straight_record.rows.size());
+    }
+    states.push_back(saved(straight));
+    rows.push_back(straight_record.rows.size());
+    ASSERT_GT(states.size(), 20U);
+    for (std::size_t k = 0; k + 1 < states.size(); ++k) {
+        SCOPED_TRACE("saved at cycle " + std::to_string(leg * (k + 1)));
+        Recorder record;
+        Simulation resumed(scene, 0);
+        resumed.load(states[k]);
+        resumed.advance(leg, record);
+        ASSERT_EQ(differences(states[k + 1], saved(resumed)), "");
+        const auto first = straight_record.rows.begin() + static_cast<std::ptrdiff_t>(rows[k]);
+        ASSERT_TRUE(std::ranges::equal(record.rows, std::span(first, rows[k + 1] - rows[k])));
+    }
+}
+
+/// Keeps what is handed over as a checkpoint, the first of all included.
+class Checkpoints : public Observer {
+public:
+    void on_checkpoint(const Simulation& simulation) override {
+        archives.push_back(saved(simulation));
+    }
+
+    std::vector<Archive> archives;
+};
+
+TEST(Restart, ContinuesToTheSameBitsFromEveryCheckpoint) {
+    Scene scene = thrown_bed();
+    scene.stages.resize(1);  // a new stage would forget what a guard missed
+    scene.output.checkpoint_interval = 0.003;
+    scene.observables.energy.reset();
+    Checkpoints checkpoints;
+    Simulation straight(scene, 0);
+    straight.advance(1U << 30, checkpoints);
+    ASSERT_GT(checkpoints.archives.size(), 10U);
+    EXPECT_EQ(checkpoints.archives.front().count("cycle"), 0U);
+    for (const Archive& archive : checkpoints.archives) {
+        Observer nobody;
+        Simulation resumed(scene, 0);
+        resumed.load(archive);
+        resumed.advance(1U << 30, nobody);
+        EXPECT_EQ(differences(saved(straight), saved(resumed)), "")
+            << "saved at cycle " << archive.count("cycle");
+    }
+}
+
+TEST(Restart, RefusesAStateThatDoesNotFitTheScene) {
+    const Scene scene = thrown_bed();
+    Observer nobody;
+    Simulation straight(scene, 0);
+    straight.advance(1500, nobody);
+    const Archive good = saved(straight);
+    for (const auto& [name, column] : good.columns()) {
+        // Texts of warnings, of any length; the others have a length that the scene decides.
+        if (name.ends_with("_warning")) {
+            continue;
+        }
+        Archive bad = good;
+        Archive::Column longer = column;
+        std::visit([](auto& values) { values.resize(values.size() + 1); }, longer);
+        bad.put_column(name, longer);
+        Simulation resumed(scene, 0);
+        EXPECT_THROW(resumed.load(bad), Error) << name;
+    }
+    for (const std::string name : {"pairs/objects/j", "wall-1/contacts/objects/j"}) {
+        Archive bad = good;
+        std::vector<std::uint32_t> beyond = good.get<std::uint32_t>(name);
+        ASSERT_FALSE(beyond.empty());
+        beyond.back() = 1U << 30;
+        bad.put(name, beyond);
+        Simulation resumed(scene, 0);
+        EXPECT_THROW(resumed.load(bad), Error) << name;
+    }
+}
+
 }  // namespace
 }  // namespace grainbench::test

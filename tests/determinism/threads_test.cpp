@@ -5,6 +5,7 @@
 #include "tests/support/scenes.hpp"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <cmath>
 #include <set>
@@ -83,7 +84,13 @@ Scene long_bed() {
     return scene;
 }
 
+/// Lets as many threads run as are asked for, on machines with fewer processors too.
+struct Crowd {
+    tbb::global_control allowed{tbb::global_control::max_allowed_parallelism, 8};
+};
+
 TEST(Threads, ThoseInsideOneSceneChangeNoBit) {
+    const Crowd crowd;
     const Scene scene = long_bed();
     Observer nobody;
     Simulation alone(scene, 0);
@@ -93,6 +100,23 @@ TEST(Threads, ThoseInsideOneSceneChangeNoBit) {
         Simulation shared(scene, 0, {.isa = "", .threads = threads});
         shared.advance(300, nobody);
         EXPECT_EQ(shared.state_hash(), alone.state_hash()) << threads << " threads";
+    }
+}
+
+TEST(Threads, ThoseOfARestartChangeNoBit) {
+    const Crowd crowd;
+    const Scene scene = long_bed();
+    Observer nobody;
+    Simulation straight(scene, 0, {.isa = "", .threads = 2});
+    straight.advance(150, nobody);
+    Archive archive;
+    straight.save(archive);
+    straight.advance(100, nobody);
+    for (const unsigned threads : {1U, 2U, 4U, 8U}) {
+        Simulation resumed(scene, 0, {.isa = "", .threads = threads});
+        resumed.load(archive);
+        resumed.advance(100, nobody);
+        EXPECT_EQ(resumed.state_hash(), straight.state_hash()) << threads << " threads";
     }
 }
 
