@@ -1,0 +1,184 @@
+#!/usr/bin/env python3
+"""Plants the faults of tests/mutation/faults.txt in a copy of the core, one at a time, and runs the
+tests of the core until one of them notices.
+
+    share/mutation-check.py [--only REGEX] [--jobs N]    half an hour on two cores for all
+    share/mutation-check.py --list                      only whether every fault fits the sources
+
+Needs Python 3.9 and what the preset core-only needs. The copy and its build lie in build/mutation;
+the sources themselves are never written. Exit code 0 if at least nine of ten faults were caught, 1 if
+not, 2 if the check itself cannot be done: a fault that does not fit, or tests that fail without one.
+"""
+
+import argparse
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+TREE = ROOT / "build" / "mutation" / "tree"
+BUILD = ROOT / "build" / "mutation" / "build"
+
+# Quick ones first: the first that fails ends the run of a fault.
+TESTS = ["unit/core/unit_laws", "unit/core/unit_scales", "unit/core/unit_phases",
+         "unit/core/unit_engine", "unit/core/unit_walls", "unit/core/unit_search",
+         "physics/physics_work_precision", "equivalence/equivalence", "unit/core/unit_insertion",
+         "determinism/determinism", "stability/stability_guards", "physics/physics_verify",
+         "stability/stability_catalogue"]
+
+# A test that takes so long hangs [s]; the longest takes 20 s.
+PATIENCE = 300
+
+# Scenes name laws by their parameters, so all sources include the laws. Only these use what a law
+# does; the others are as they were whatever is planted there.
+LAWS = ("core/contact/laws/", "core/contact/tangential.hpp")
+USERS_OF_LAWS = [f"core/kernels/kernels_{isa}.cpp" for isa in ("scalar", "sse4", "avx2", "avx512")]
+USERS_OF_LAWS += ["core/contact/contact_table.cpp", "tests/unit/core/law_test.cpp",
+                  "tests/unit/core/law_rules_test.cpp"]
+
+CAUGHT_AT_LEAST = 0.9
+
+
+def fail(message):
+    print(f"mutation-check: {message}", file=sys.stderr)
+    sys.exit(2)
+
+
+def read_faults():
+    faults = []
+    for line in (ROOT / "tests/mutation/faults.txt").read_text().splitlines():
+        if line.startswith("fault: "):
+            faults.append({"name": line[7:], "old": [], "new": []})
+        elif line.startswith("file: "):
+            faults[-1]["file"] = line[6:]
+        elif line.startswith("- "):
+            faults[-1]["old"].append(line[2:])
+        elif line.startswith("+ "):
+            faults[-1]["new"].append(line[2:])
+        elif line and not line.startswith("#"):
+            fail(f"tests/mutation/faults.txt: cannot read '{line}'")
+    return faults
+
+
+def planted(fault, text):
+    old = "\n".join(fault["old"])
+    count = text.count(old)
+    if count != 1:
+        fail(f"'{fault['name']}' fits {count} times into {fault['file']}, not once:\n{old}\n"
+             "Where that code has changed, change the fault in tests/mutation/faults.txt with it.")
+    return text.replace(old, "\n".join(fault["new"]))
+
+
+def run(command, **keywords):
+    return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                          **keywords)
+
+
+def copy_tree():
+    """Brings the copy up to date; files that are the same keep their time, and so their objects."""
+    tracked = run(["git", "ls-files", "-co", "--exclude-standard"], cwd=ROOT, check=True).stdout
+    wanted = [name for name in tracked.splitlines() if (ROOT / name).is_file()]
+    for name in wanted:
+        to = TREE / name
+        if not to.exists() or to.read_bytes() != (ROOT / name).read_bytes():
+            to.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(ROOT / name, to)
+    for path in [p for p in TREE.rglob("*") if p.is_file()]:
+        if str(path.relative_to(TREE)) not in set(wanted):
+            path.unlink()
+
+
+def configure():
+    launcher = shutil.which("ccache")
+    command = ["cmake", "-S", str(TREE), "-B", str(BUILD), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=None",
+               "-DCMAKE_CXX_FLAGS=-O1", "-DGRAINBENCH_BUILD_IO=OFF", "-DGRAINBENCH_BUILD_RENDER=OFF"]
+    if launcher:
+        command.append(f"-DCMAKE_CXX_COMPILER_LAUNCHER={launcher}")
+    result = run(command)
+    if result.returncode != 0:
+        fail(f"the copy cannot be configured:\n{result.stdout}")
+
+
+def build(jobs):
+    targets = [pathlib.PurePath(test).name for test in TESTS]
+    return run(["cmake", "--build", str(BUILD), "--parallel", str(jobs), "--target", *targets])
+
+
+def first_failure():
+    """Name of the first test that fails, or None."""
+    for test in TESTS:
+        program = BUILD / "tests" / test
+        try:
+            result = run([str(program), "--gtest_brief=1", "--gtest_fail_fast", "--gtest_color=no"],
+                         timeout=PATIENCE)
+        except subprocess.TimeoutExpired:
+            return f"{program.name} (hangs)"
+        if result.returncode != 0:
+            for line in result.stdout.splitlines():
+                if line.startswith("[  FAILED  ]"):
+                    return line.removeprefix("[  FAILED  ]").split(",")[0].split("(")[0].strip()
+            return f"{program.name} (exit code {result.returncode})"
+    return None
+
+
+def write(fault, text):
+    """Writes a file of the copy so that what must be built anew is, and nothing else."""
+    path = TREE / fault["file"]
+    before = path.stat()
+    path.write_text(text)
+    if fault["file"].startswith(LAWS):
+        os.utime(path, ns=(before.st_atime_ns, before.st_mtime_ns))
+        for user in USERS_OF_LAWS:
+            os.utime(TREE / user)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--list", action="store_true")
+    parser.add_argument("--only", default="")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    options = parser.parse_args()
+
+    faults = read_faults()
+    for fault in faults:
+        planted(fault, (ROOT / fault["file"]).read_text())
+    if options.list:
+        print(f"{len(faults)} faults fit the sources")
+        return 0
+    copy_tree()
+    configure()
+    result = build(options.jobs)
+    if result.returncode != 0:
+        fail(f"the core does not build without a fault:\n{result.stdout}")
+    test = first_failure()
+    if test:
+        fail(f"{test} fails without a fault")
+
+    chosen = [fault for fault in faults if re.search(options.only, fault["name"])]
+    caught = 0
+    print("| fault | file | caught by | s |\n|---|---|---|---|")
+    for fault in chosen:
+        start = time.monotonic()
+        text = (TREE / fault["file"]).read_text()
+        write(fault, planted(fault, text))
+        try:
+            result = build(options.jobs)
+            if result.returncode != 0:
+                fail(f"'{fault['name']}' does not compile:\n{result.stdout}")
+            test = first_failure()
+        finally:
+            write(fault, text)
+        caught += test is not None
+        print(f"| {fault['name']} | `{fault['file'].removeprefix('core/')}` | "
+              f"{'`' + test + '`' if test else '**survives**'} | "
+              f"{time.monotonic() - start:.0f} |", flush=True)
+    print(f"\n{caught} of {len(chosen)} faults caught")
+    return 0 if caught >= CAUGHT_AT_LEAST * len(chosen) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
