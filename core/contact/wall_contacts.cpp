@@ -107,17 +107,19 @@ void WallContacts::test(const ParticleState& particles,
                         double scale,
                         double extra,
                         const Kernels& kernels) {
-    PatchQuery query{.position = particles.positions().data(),
-                     .planes = wall.surface().planes().data(),
-                     .particle = list.i.data() + first,
-                     .patch = list.j.data() + first,
-                     .count = last - first,
-                     .shift = {wall.displacement().x, wall.displacement().y, wall.displacement().z},
-                     .rotation = {},
-                     .rotated = wall.is_turned(),
-                     .scale = scale,
-                     // The reference engine takes nothing from the planes.
-                     .extra = clock_.settings().brute_force ? 1e300 : extra};
+    PatchQuery query{
+        .position = particles.positions().data(),
+        .planes = wall.surface().planes().data(),
+        .shells = wall.surface().shells().empty() ? nullptr : wall.surface().shells().data(),
+        .particle = list.i.data() + first,
+        .patch = list.j.data() + first,
+        .count = last - first,
+        .shift = {wall.displacement().x, wall.displacement().y, wall.displacement().z},
+        .rotation = {},
+        .rotated = wall.is_turned(),
+        .scale = scale,
+        // The reference engine takes nothing from the planes.
+        .extra = clock_.settings().brute_force ? 1e300 : extra};
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column) {
             query.rotation[3 * row + column] = wall.rotation()[3 * column + row];

@@ -92,6 +92,8 @@ struct CellSearch {
 struct PatchQuery {
     const double* position;
     const double* planes;  ///< four packets per patch, see Surface::planes
+    const double*
+        shells;  ///< two packets per patch, see Surface::shells; null where there are none
     const Index* particle;
     const Index* patch;
     Index count;         ///< the columns are readable up to the next multiple of 64

@@ -117,6 +117,24 @@ inline void test_pairs(const PairQuery& query, std::uint64_t* within) {
     }
 }
 
+/// Whether a sphere may reach sides of cylinders; true of patches that are none.
+inline Mask may_reach_shell(const double* shells,
+                            const Index* patch,
+                            const Vec3Of<Pack>& place,
+                            Pack reach) {
+    const Packets line = load_packets(shells, [&](Index l) { return 2 * patch[l]; });
+    const Packets base = load_packets(shells, [&](Index l) { return 2 * patch[l] + 1; });
+    const Vec3Of<Pack> from = place - base.xyz;
+    const Vec3Of<Pack> across = from - dot(line.xyz, from) * line.xyz;
+    const Pack square = dot(across, across);
+    // Rounding must not hide what just touches.
+    const Pack wide = Pack(1.0 + 1e-9) * reach;
+    const Pack inner = larger(line.w - wide, Pack{});
+    const Pack outer = line.w + wide;
+    const Mask near = (inner * inner <= square) & (square <= outer * outer);
+    return near | (line.w <= Pack{});
+}
+
 inline void test_patches(const PatchQuery& query, const PatchAnswers& answers) {
     const Pack scale(query.scale);
     const Pack extra(query.extra);
@@ -159,8 +177,11 @@ inline void test_patches(const PatchQuery& query, const PatchAnswers& answers) {
             const Mask in_face = margin < least;
             // Outside a side by so much the patch is at least this far.
             const Pack outside = smaller(least, Pack{});
-            const Mask may_touch =
+            Mask may_touch =
                 height * height + outside * outside <= Pack(1.0 + 1e-9) * reach * reach;
+            if (query.shells != nullptr) {
+                may_touch = may_touch & may_reach_shell(query.shells, patch, place, reach);
+            }
             face |= std::uint64_t{bits_of(level & in_face)} << k;
             doubt |= std::uint64_t{bits_of(level & may_touch & !in_face)} << k;
         }

@@ -108,6 +108,7 @@ struct Surface::Impl {
     TriangleMesh complete_mesh;     // with the faces that an open cylinder lacks, if it does
     std::optional<Cylinder> cylinder;
     Column<double> planes;
+    Column<double> shells;
     WallSurface outline;
 
     Impl() = default;
@@ -128,6 +129,7 @@ struct Surface::Impl {
                 add_plane({}, endless ? -1.0 : 0.0);
             }
         }
+        add_shells();
     }
 
     void build(const Plane& plane) { build_round(checked(plane, where)); }
@@ -169,6 +171,29 @@ struct Surface::Impl {
         planes.insert(planes.end(), {normal.x, normal.y, normal.z, offset});
     }
 
+    void add_shells() {
+        const auto is_shell = [](const RoundPatch& patch) {
+            return std::holds_alternative<Shell>(patch);
+        };
+        if (std::none_of(round.begin(), round.end(), is_shell)) {
+            return;
+        }
+        for (const RoundPatch& patch : round) {
+            const auto* given = std::get_if<Shell>(&patch);
+            const Shell shell = given != nullptr ? *given : Shell{};
+            const double radius = given != nullptr ? shell.radius : 0.0;
+            shells.insert(shells.end(),
+                          {shell.axis.x,
+                           shell.axis.y,
+                           shell.axis.z,
+                           radius,
+                           shell.base.x,
+                           shell.base.y,
+                           shell.base.z,
+                           0.0});
+        }
+    }
+
     const TriangleMesh& enclosure() const {
         return complete_mesh.triangles().empty() ? mesh : complete_mesh;
     }
@@ -185,6 +210,10 @@ std::size_t Surface::patch_count() const {
 
 std::span<const double> Surface::planes() const {
     return impl_->planes;
+}
+
+std::span<const double> Surface::shells() const {
+    return impl_->shells;
 }
 
 void Surface::collect(const Vec3& centre, double reach, std::vector<Index>& patches) const {

@@ -53,6 +53,11 @@ public:
     /// planes exist (cylinder sides): that says nothing.
     std::span<const double> planes() const;
 
+    /// Two packets per patch, {axis, radius} and {point of the axis, 0}, of those that are sides of
+    /// cylinders: such a patch is never nearer than the distance from its full cylinder. The radius
+    /// of other patches is zero. Empty where no patch is such a side.
+    std::span<const double> shells() const;
+
     /// Appends, ascending, the patches whose distance from `centre` is at most `reach`.
     void collect(const Vec3& centre, double reach, std::vector<Index>& patches) const;
 
