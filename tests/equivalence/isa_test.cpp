@@ -201,6 +201,7 @@ PatchBits patches_tested(const Kernels& kernels, Index count, bool rotated) {
     PatchBits bits{0, 0, std::vector<double>(64)};
     kernels.test_patches({.position = p.position.data(),
                           .planes = planes.data(),
+                          .shells = nullptr,
                           .particle = particle.data(),
                           .patch = patch.data(),
                           .count = count,
