@@ -3,7 +3,6 @@
 #include "core/error.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace grainbench::verify {
 
@@ -74,19 +73,19 @@ double Noise::next() {
     return static_cast<double>(state_ >> 11) * 0x1p-52 - 1.0;
 }
 
-double energy_of_resting(const Simulation& simulation, double mass, std::size_t loose) {
+Held held_spheres(const Simulation& simulation, double mass) {
     const ParticleFrame frame = simulation.particle_frame();
-    std::vector<double> energies;
+    Held held;
     for (std::size_t n = 0; n < frame.size(); ++n) {
-        const Vec3& v = frame.velocity[n];
-        const Vec3& w = frame.angular_velocity[n];
-        const double inertia = 0.4 * mass * frame.radius[n] * frame.radius[n];
-        energies.push_back(0.5 * (mass * dot(v, v) + inertia * dot(w, w)));
+        if (frame.contacts[n] >= contacts_that_hold) {
+            const Vec3& v = frame.velocity[n];
+            const Vec3& w = frame.angular_velocity[n];
+            const double inertia = 0.4 * mass * frame.radius[n] * frame.radius[n];
+            held.energy += 0.5 * (mass * dot(v, v) + inertia * dot(w, w));
+            ++held.count;
+        }
     }
-    std::ranges::sort(energies);
-    const std::size_t resting = energies.size() - std::min(loose, energies.size());
-    return std::accumulate(
-        energies.begin(), energies.begin() + static_cast<std::ptrdiff_t>(resting), 0.0);
+    return held;
 }
 
 }  // namespace grainbench::verify

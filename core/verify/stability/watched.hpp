@@ -49,8 +49,15 @@ private:
     std::uint64_t state_;
 };
 
-/// Kinetic energy [J], spin included, of all spheres of one kind but the `loose` most lively ones:
-/// a ball that nothing loads rolls or spins on, an unstable step shakes many.
-double energy_of_resting(const Simulation& simulation, double mass, std::size_t loose);
+/// Fewer contacts than hold a sphere up do not brake its rolling and spinning.
+inline constexpr std::int32_t contacts_that_hold = 3;
+
+/// Kinetic energy [J], spin included, of the spheres of one mass that are held, and how many are.
+struct Held {
+    double energy = 0.0;
+    std::size_t count = 0;
+};
+
+Held held_spheres(const Simulation& simulation, double mass);
 
 }  // namespace grainbench::verify
