@@ -2,6 +2,7 @@
 /// of contacts that can fill a block in part or whole; and the general pass gives those of the
 /// passes that have their laws compiled in.
 #include "core/kernels/kernels.hpp"
+#include "core/walls/surface.hpp"
 
 #include "tests/equivalence/random_contacts.hpp"
 
@@ -228,6 +229,64 @@ TEST(InstructionSets, TestPatchesAlike) {
     EXPECT_GT(__builtin_popcountll(bits.face), 1);
     EXPECT_GT(__builtin_popcountll(bits.doubt), 1);
     EXPECT_EQ(bits.face & bits.doubt, 0U);
+}
+
+/// The side is the first patch. Spheres within and around an oblique cylinder; all near enough to
+/// touch must stay in doubt, all farther from the endless cylinder than their radius must not.
+TEST(InstructionSets, DoubtSidesOfCylindersWhereTheyMayTouchAlone) {
+    const Cylinder cylinder{.base = {0.02, -0.01, 0.03},
+                            .axis = normalized({1.0, 2.0, 3.0}),
+                            .radius = 0.01,
+                            .height = 0.03};
+    const Surface surface(cylinder, "/walls/0");
+    std::mt19937_64 random(7);
+    RandomParticles p(64, 7);
+    for (Index k = 0; k < 64; ++k) {
+        p.position[4 * k] = cylinder.base.x + between(random, -0.016, 0.024);
+        p.position[4 * k + 1] = cylinder.base.y + between(random, -0.016, 0.024);
+        p.position[4 * k + 2] = cylinder.base.z + between(random, -0.016, 0.024);
+    }
+    Column<Index> particle(64);
+    std::iota(particle.begin(), particle.end(), Index{0});
+    const Column<Index> patch(64, 0);
+    for_each_set([&](std::string_view isa, const Kernels& kernels) {
+        std::uint64_t face = 0;
+        std::uint64_t doubt = 0;
+        std::vector<double> height(64);
+        kernels.test_patches({.position = p.position.data(),
+                              .planes = surface.planes().data(),
+                              .shells = surface.shells().data(),
+                              .particle = particle.data(),
+                              .patch = patch.data(),
+                              .count = 64,
+                              .shift = {},
+                              .rotation = {},
+                              .rotated = false,
+                              .scale = 1.0,
+                              .extra = 0.0},
+                             {&face, &doubt, height.data()});
+        EXPECT_EQ(face, 0U) << isa;
+        int near = 0;
+        int far = 0;
+        for (Index k = 0; k < 64; ++k) {
+            const Vec3 centre{p.position[4 * k], p.position[4 * k + 1], p.position[4 * k + 2]};
+            const double radius = p.position[4 * k + 3];
+            const bool is_doubted = (doubt >> k & 1) != 0;
+            std::vector<Index> touched;
+            surface.collect(centre, radius, touched);
+            const Vec3 from = centre - cylinder.base;
+            const double across = norm(from - dot(cylinder.axis, from) * cylinder.axis);
+            if (!touched.empty() && touched.front() == 0) {
+                EXPECT_TRUE(is_doubted) << isa << " " << k;
+                ++near;
+            } else if (std::abs(across - cylinder.radius) > radius) {
+                EXPECT_FALSE(is_doubted) << isa << " " << k;
+                ++far;
+            }
+        }
+        EXPECT_GT(near, 5);
+        EXPECT_GT(far, 5);
+    });
 }
 
 /// Rows of history, random where contacts act and zero where they are new.
