@@ -27,7 +27,7 @@ std::string extension_of(const std::filesystem::path& path) {
 void check_regular(const std::filesystem::path& path) {
     std::error_code error;
     if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error)) {
-        throw_bad_input({.what = "'" + path.string() + "' is no ordinary file",
+        throw_bad_input({.what = "this is no ordinary file",
                          .where = path.string(),
                          .likely_cause = "a folder, a device or a pipe",
                          .next_step = "name a file, or write what the pipe gives to one first"});
