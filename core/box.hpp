@@ -18,4 +18,10 @@ struct Box {
     }
 };
 
+/// Whether a point lies in a box or on its faces.
+inline bool holds(const Box& box, const Vec3& p) {
+    return p.x >= box.low.x && p.y >= box.low.y && p.z >= box.low.z && p.x <= box.high.x &&
+           p.y <= box.high.y && p.z <= box.high.z;
+}
+
 }  // namespace grainbench

@@ -27,6 +27,12 @@ public:
         for (std::size_t w = 0; w < scene.walls.size(); ++w) {
             add_motion(scene.walls[w].motion, at("/walls", w) + "/motion");
         }
+        for (std::size_t s = 0; s < scene.particles.sources.size(); ++s) {
+            add("source", at("/particles/sources", s));
+        }
+        for (std::size_t s = 0; s < scene.particles.sinks.size(); ++s) {
+            add("sink", at("/particles/sinks", s));
+        }
         add_contact(scene.contact, "/contact");
         add(key_of(scene.timestep) + "_timestep", "/timestep");
         add(key_of(scene.detection.trigger) + "_trigger", "/detection/trigger");
@@ -158,6 +164,11 @@ public:
             }
         }
         add_output(scene.output, "/output", run, "run");
+        for (std::size_t s = 0; s < scene.particles.sources.size(); ++s) {
+            if (scene.particles.sources[s].start >= run) {
+                add(at("/particles/sources", s) + "/start", "the run ends before");
+            }
+        }
     }
 
     std::vector<IdleEffect> take() && { return std::move(idle_); }

@@ -18,6 +18,18 @@ std::vector<double> densities(const Scene& scene) {
     return density;
 }
 
+std::vector<double> radii_of_sources(const Scene& scene) {
+    std::vector<double> radii;
+    for (const Source& source : scene.particles.sources) {
+        for (const Species& species : scene.particles.species) {
+            if (species.name == source.species) {
+                radii.push_back(species.radius);
+            }
+        }
+    }
+    return radii;
+}
+
 /// Travel that candidate lists allow: a quarter of the smallest radius, from a scan of the shaken
 /// bed of the example (share/doc/performance.md): longer lists cost more per renewal, shorter ones
 /// age.
@@ -85,7 +97,10 @@ Engine::Engine(const Scene& scene, std::uint64_t seed, const SimulationOptions& 
     }
     InsertionResult inserted = insert_particles(scene, surfaces, seed);
     insertion_reports_ = std::move(inserted.reports);
-    particles_ = ParticleState(inserted.spheres, densities(scene));
+    particles_ = ParticleState(inserted.spheres, densities(scene), radii_of_sources(scene));
+    if (Traffic::is_in(scene)) {
+        traffic_.emplace(scene, seed);
+    }
     SearchSettings settings =
         search_settings(detection_, particles_.smallest_radius(), options.reference);
     pairs_ = PairContacts(settings, table_.history_size());
@@ -98,17 +113,22 @@ Engine::Engine(const Scene& scene, std::uint64_t seed, const SimulationOptions& 
     if (scene.observables.energy) {
         ledger_ = std::make_unique<EnergyLedger>();
     }
-    if (particles_.size() > 0) {
-        for (Index slot = 0; slot < particles_.size(); ++slot) {
-            bed_velocity_ += particles_.velocity(slot);
-        }
-        bed_velocity_ = (1.0 / particles_.size()) * bed_velocity_;
-        for (Index slot = 0; slot < particles_.size(); ++slot) {
-            const Vec3 v = particles_.velocity(slot) - bed_velocity_;
-            fastest_ = {std::max(fastest_.x, std::abs(v.x)),
-                        std::max(fastest_.y, std::abs(v.y)),
-                        std::max(fastest_.z, std::abs(v.z))};
-        }
+    measure_bed();
+}
+
+/// Mean motion of the bed, and the largest speeds relative to it, as they are now.
+void Engine::measure_bed() {
+    bed_velocity_ = {};
+    fastest_ = {};
+    for (Index slot = 0; slot < particles_.size(); ++slot) {
+        bed_velocity_ += particles_.velocity(slot);
+    }
+    bed_velocity_ = (1.0 / std::max<double>(particles_.size(), 1.0)) * bed_velocity_;
+    for (Index slot = 0; slot < particles_.size(); ++slot) {
+        const Vec3 v = particles_.velocity(slot) - bed_velocity_;
+        fastest_ = {std::max(fastest_.x, std::abs(v.x)),
+                    std::max(fastest_.y, std::abs(v.y)),
+                    std::max(fastest_.z, std::abs(v.z))};
     }
 }
 
@@ -208,6 +228,36 @@ void Engine::step() {
     enter(Phase::output);
     if (ledger_) {
         ledger_->end_step(ledger_view(), timestep);
+    }
+    if (traffic_) {
+        let_pass();
+    }
+}
+
+/// Lets sinks and sources act. Contacts of those that stay last; what newcomers may touch is looked
+/// for before the next forces.
+void Engine::let_pass() {
+    population_change_.reset();
+    if (!Traffic::is_due(cycle_)) {
+        return;
+    }
+    population_change_ = traffic_->next_change(particles_, walls_, time_);
+    if (!population_change_) {
+        return;
+    }
+    if (ledger_) {
+        ledger_->begin_exchange(ledger_view(), timestep_);
+    }
+    particles_.change_population(*population_change_);
+    pairs_.change_population(*population_change_, particles_);
+    for (WallContacts& contacts : wall_contacts_) {
+        contacts.change_population(*population_change_, particles_);
+    }
+    sums_ = StableStep(particles_);
+    measure_bed();
+    single_contact_ = StableStep::single_contact_limit(particles_, table_, materials_.count());
+    if (ledger_) {
+        ledger_->end_exchange(ledger_view(), timestep_);
     }
 }
 
@@ -480,6 +530,9 @@ void Engine::save(Archive& archive) const {
     if (ledger_) {
         ledger_->save(archive);
     }
+    if (traffic_) {
+        traffic_->save(archive);
+    }
 }
 
 void Engine::load(const Archive& archive) {
@@ -491,7 +544,8 @@ void Engine::load(const Archive& archive) {
     bed_velocity_ = {numbers[3], numbers[4], numbers[5]};
     bed_shift_ = {numbers[6], numbers[7], numbers[8]};
     fastest_ = {numbers[9], numbers[10], numbers[11]};
-    particles_.load(archive);
+    particles_.load(archive, traffic_.has_value());
+    sums_ = StableStep(particles_);
     pairs_.load(archive, particles_);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         const std::string name = "wall-" + std::to_string(w + 1);
@@ -500,6 +554,9 @@ void Engine::load(const Archive& archive) {
     }
     if (ledger_) {
         ledger_->load(archive);
+    }
+    if (traffic_) {
+        traffic_->load(archive);
     }
     has_records_ = archive.count("engine/has_records") != 0;
     const bool has_all = std::all_of(wall_contacts_.begin(),

@@ -5,6 +5,7 @@
 #include "core/contact/contact_table.hpp"
 #include "core/contact/pair_contacts.hpp"
 #include "core/contact/wall_contacts.hpp"
+#include "core/insertion/traffic.hpp"
 #include "core/integrate/stable_step.hpp"
 #include "core/measure/energy_ledger.hpp"
 #include "core/phases.hpp"
@@ -70,6 +71,14 @@ public:
 
     const std::vector<InsertionReport>& insertion_reports() const { return insertion_reports_; }
 
+    /// Who came and went in the last cycle; null if nobody did.
+    const PopulationChange* population_change() const {
+        return population_change_ ? &*population_change_ : nullptr;
+    }
+
+    /// Sinks and sources; null in a scene without.
+    const Traffic* traffic() const { return traffic_ ? &*traffic_ : nullptr; }
+
     const Kernels& kernels() const { return *kernels_; }
 
     /// Contact objects, touching or near [1]; looks at those with walls one by one.
@@ -110,6 +119,8 @@ private:
         }
     }
 
+    void measure_bed();
+    void let_pass();
     void change_gravity(const Vec3& next);
     void change_scheme(const Timestep& next);
     double choose_timestep() const;
@@ -143,6 +154,8 @@ private:
     Workers workers_;
     std::vector<MotionPass> move_parts_;  ///< by slab
     std::unique_ptr<EnergyLedger> ledger_;
+    std::optional<Traffic> traffic_;
+    std::optional<PopulationChange> population_change_;
     std::vector<InsertionReport> insertion_reports_;
     PhaseWatch* phase_watch_ = nullptr;
 

@@ -80,6 +80,9 @@ struct Simulation::Impl {
     void name_columns();
     void enter_stage(std::size_t next);
     void begin_intervals();
+    void follow(const PopulationChange& change);
+    void save_membership(Archive& archive) const;
+    void load_membership(const Archive& archive);
     void observe();
     void report_all(Observer& observer, const Simulation& self);
     void report_due(Observer& observer, const Simulation& self);
@@ -120,6 +123,15 @@ void Simulation::Impl::name_columns() {
     if (elevation) {
         columns.push_back({"elevation", "m", "mean height of the upper group over the lower"});
         columns.push_back({"elevation_average", "m", "its mean over the last complete interval"});
+    }
+    if (const Traffic* traffic = engine.traffic()) {
+        columns.push_back({"particles", "1", "in the scene"});
+        for (const auto* passages : {&traffic->came(), &traffic->went()}) {
+            for (const Passage& passage : *passages) {
+                columns.push_back({passage.name + ".count", "1", "spheres that passed so far"});
+                columns.push_back({passage.name + ".mass", "kg", "their mass"});
+            }
+        }
     }
     if (scene.observables.energy) {
         for (const auto& [name, doc] : std::initializer_list<std::pair<const char*, const char*>>{
@@ -163,6 +175,52 @@ void Simulation::Impl::begin_intervals() {
         elevation->begin_interval(stage_start,
                                   current_stage().average_interval.value_or(
                                       scene.observables.elevation->average_interval));
+    }
+}
+
+/// Newcomers belong to no layer, and to the first group of their species that has no box.
+void Simulation::Impl::follow(const PopulationChange& change) {
+    groups = renumbered(groups, change, std::int32_t{0});
+    layers = renumbered(layers, change, std::int32_t{0});
+    const ParticleState& particles = engine.particles();
+    for (auto slot = static_cast<Index>(particles.size() - change.newcomers.size());
+         slot < particles.size();
+         ++slot) {
+        groups[slot] = group_of_newcomer(scene, particles.species(slot));
+    }
+    for (Index& slot : traced) {
+        slot = slot == PopulationChange::gone ? slot : change.slot_after[slot];
+    }
+    if (elevation) {
+        elevation->renumber(change);
+    }
+    guards.change_population(engine, change);
+}
+
+/// Who belongs to what cannot be told from a scene whose particles come and go.
+void Simulation::Impl::save_membership(Archive& archive) const {
+    archive.put("membership/groups", std::vector<std::uint32_t>(groups.begin(), groups.end()));
+    archive.put("membership/layers", std::vector<std::uint32_t>(layers.begin(), layers.end()));
+    archive.put("membership/traced", traced);
+    if (elevation) {
+        elevation->save_members(archive);
+    }
+}
+
+void Simulation::Impl::load_membership(const Archive& archive) {
+    const std::size_t size = engine.particles().size();
+    const auto read = [&](const std::string& name, std::vector<std::int32_t>& numbers) {
+        const auto& from = archive.get<std::uint32_t>(name, size);
+        numbers.assign(from.begin(), from.end());
+    };
+    read("membership/groups", groups);
+    read("membership/layers", layers);
+    traced = archive.get<Index>("membership/traced", traced.size());
+    for (const Index slot : traced) {
+        Archive::require(slot < size || slot == PopulationChange::gone, "membership/traced");
+    }
+    if (elevation) {
+        elevation->load_members(archive, engine.particles().size());
     }
 }
 
@@ -237,6 +295,9 @@ bool Simulation::advance(std::uint64_t cycles, Observer& observer) {
         }
         s.guards.before_step(s.engine);
         s.engine.step();
+        if (const PopulationChange* change = s.engine.population_change()) {
+            s.follow(*change);
+        }
         s.observe();
         s.guards.after_step(s.engine);
         // The very last cycle is reported in full below, once.
@@ -411,6 +472,9 @@ ContactFrame Simulation::contact_frame() const {
 std::vector<TracePoint> Simulation::trace_points() const {
     std::vector<TracePoint> points;
     for (const Index slot : impl_->traced) {
+        if (slot == PopulationChange::gone) {
+            continue;
+        }
         points.push_back({impl_->engine.particles().id(slot),
                           impl_->engine.particles().position(slot),
                           impl_->engine.full_velocity(slot)});
@@ -436,6 +500,15 @@ std::vector<double> Simulation::history_row() const {
     if (s.elevation) {
         row.push_back(s.elevation->compute(s.engine.particles()));
         row.push_back(s.elevation->average().value_or(std::numeric_limits<double>::quiet_NaN()));
+    }
+    if (const Traffic* traffic = s.engine.traffic()) {
+        row.push_back(static_cast<double>(particle_count()));
+        for (const auto* passages : {&traffic->came(), &traffic->went()}) {
+            for (const Passage& passage : *passages) {
+                row.push_back(static_cast<double>(passage.count));
+                row.push_back(passage.mass);
+            }
+        }
     }
     if (s.engine.has_ledger()) {
         const Energies e = s.engine.energies();
@@ -510,6 +583,9 @@ void Simulation::save(Archive& archive) const {
     if (s.elevation) {
         s.elevation->save(archive);
     }
+    if (s.engine.traffic() != nullptr) {
+        s.save_membership(archive);
+    }
     archive.put("time", time());
     archive.put("cycle", cycle());
     archive.put("stage", static_cast<std::uint64_t>(s.stage));
@@ -535,6 +611,9 @@ void Simulation::load(const Archive& archive) {
     s.engine.load(archive);
     Archive::require(archive.number("time") == time() && archive.count("cycle") == cycle(),
                      "cycle");
+    if (s.engine.traffic() != nullptr) {
+        s.load_membership(archive);
+    }
     s.guards.load(archive);
     s.stage_start = numbers[0];
     s.stage_end = numbers[1];

@@ -51,6 +51,50 @@ void ContactObjects::renew(const PairList& from, std::span<const Index> found) {
     });
 }
 
+std::vector<Index> ContactObjects::renumber(const PopulationChange& change,
+                                            bool partner_is_particle) {
+    std::swap(list_, list_before_);
+    std::swap(acting_, acting_before_);
+    std::swap(rows_, rows_before_);
+    list_.clear();
+    std::vector<Index> stay;  // by place: place before
+    for (Index k = 0; k < list_before_.count; ++k) {
+        const Index i = change.slot_after[list_before_.i[k]];
+        const Index j =
+            partner_is_particle ? change.slot_after[list_before_.j[k]] : list_before_.j[k];
+        if (i != PopulationChange::gone && (!partner_is_particle || j != PopulationChange::gone)) {
+            list_.append(i, j);
+            stay.push_back(k);
+        }
+    }
+    list_.pad();
+    acting_.assign(list_.words(), 0);
+    rows_.assign(stride() * list_.i.size(), 0.0);
+    for (Index k = 0; k < list_.count; ++k) {
+        std::copy_n(rows_before_.data() + stride() * stay[k], stride(), row(k));
+        if ((acting_before_[stay[k] / 64] >> (stay[k] % 64) & 1) != 0) {
+            set_acting(k);
+        }
+    }
+    const Column<TouchingContact> touching_before = touching_;
+    std::vector<Index> touching_stay;
+    touching_.resize(list_.i.size());
+    std::size_t count = 0;
+    for (Index t = 0, k = 0; t < touching_count_; ++t) {
+        const TouchingContact contact = touching_before[t];
+        while (k < list_.count && stay[k] < contact.place()) {
+            ++k;
+        }
+        if (k < list_.count && stay[k] == contact.place()) {
+            touching_[count++] = TouchingContact(k, contact.is_new());
+            touching_stay.push_back(t);
+        }
+    }
+    touching_count_ = count;
+    forget_before();
+    return touching_stay;
+}
+
 bool ContactObjects::was_listed(Index i, Index j) const {
     const auto end = list_before_.i.begin() + static_cast<std::ptrdiff_t>(list_before_.count);
     const auto row = std::equal_range(list_before_.i.begin(), end, i);

@@ -6,11 +6,27 @@
 #include "core/archive.hpp"
 #include "core/parallel/workers.hpp"
 #include "core/search/candidates.hpp"
+#include "core/state/population.hpp"
 
+#include <algorithm>
 #include <span>
 #include <string>
 
 namespace grainbench {
+
+/// Keeps, of rows of `width` numbers, those that `stay` names.
+template <class Rows>
+void keep_rows(Rows& rows, std::span<const Index> stay, std::size_t width) {
+    if (rows.empty()) {
+        return;
+    }
+    for (std::size_t k = 0; k < stay.size(); ++k) {
+        std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(width * stay[k]),
+                    width,
+                    rows.begin() + static_cast<std::ptrdiff_t>(width * k));
+    }
+    rows.resize(width * stay.size());
+}
 
 class ContactObjects {
 public:
@@ -24,6 +40,11 @@ public:
     /// Takes the first `count` of `found` places in `from` as the new objects. Those that act and
     /// stay keep their history.
     void renew(const PairList& from, std::span<const Index> found);
+
+    /// Particles have other slots: objects of those that are gone go, the others keep what they
+    /// have. \param partner_is_particle whether the second of a pair is a slot too \return which of
+    /// touching() stay, by their place there before
+    std::vector<Index> renumber(const PopulationChange& change, bool partner_is_particle);
 
     /// True if the pair was in the list before the last renewal; nothing is after forget_before().
     bool was_listed(Index i, Index j) const;

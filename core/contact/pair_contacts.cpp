@@ -35,6 +35,21 @@ Renewal PairContacts::update(std::uint64_t cycle,
     return due;
 }
 
+void PairContacts::change_population(const PopulationChange& change, const ParticleState& after) {
+    const bool has_records = has_all_records();
+    const std::vector<Index> stay = objects_.renumber(change, true);
+    if (has_records) {
+        keep_rows(records_, stay, record_size);
+    } else {
+        records_.clear();
+    }
+    candidates_.clear();
+    candidates_.pad();
+    within_.resize(objects_.list().words());
+    cut_into_slabs(after);
+    clock_.expire(after);
+}
+
 void PairContacts::build_candidates(const ParticleState& particles, const Kernels& kernels) {
     const SearchSettings& settings = clock_.settings();
     if (settings.brute_force) {

@@ -69,6 +69,21 @@ Renewal WallContacts::update(std::uint64_t cycle,
     return due;
 }
 
+void WallContacts::change_population(const PopulationChange& change, const ParticleState& after) {
+    const bool has_records = has_all_records();
+    const std::vector<Index> stay = objects_.renumber(change, false);
+    keep_rows(force_, stay, 4);
+    if (has_records) {
+        keep_rows(records_, stay, record_size);
+    } else {
+        records_.clear();
+    }
+    candidates_.clear();
+    candidates_.pad();
+    cut_into_parts();
+    clock_.expire(after);
+}
+
 void WallContacts::build_candidates(const ParticleState& particles,
                                     const WallBody& wall,
                                     const Workers& workers) {

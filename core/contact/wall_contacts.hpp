@@ -22,6 +22,9 @@ public:
     /// Other laws from here on: column c of the history takes over sources[c]; -1 starts from zero.
     void change_history(std::span<const int> sources) { objects_.change_history(sources); }
 
+    /// Particles have other slots; lists are made anew before the next step.
+    void change_population(const PopulationChange& change, const ParticleState& after);
+
     /// Adds the travel bound of one step, relative to the wall.
     void add_travel(double bound) { clock_.add_travel(bound); }
 

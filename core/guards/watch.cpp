@@ -90,7 +90,12 @@ std::pair<Index, double> deepest_contact(const Engine& engine) {
 }  // namespace
 
 GuardWatch::GuardWatch(const Scene& scene, Engine& engine)
-    : guards_(scene.guards), gravity_(scene.gravity.value_or(Vec3{})) {
+    : guards_(scene.guards),
+      population_changes_(Traffic::is_in(scene)),
+      gravity_(scene.gravity.value_or(Vec3{})) {
+    for (const Species& species : scene.particles.species) {
+        density_.push_back(species.density);
+    }
     const ParticleState& particles = engine.particles();
     double mass = 0.0;
     for (Index slot = 0; slot < particles.size(); ++slot) {
@@ -119,18 +124,53 @@ GuardWatch::GuardWatch(const Scene& scene, Engine& engine)
         }
         hold.side.resize(particles.size());
         for (Index slot = 0; slot < particles.size(); ++slot) {
-            const Vec3 p = particles.position(slot);
-            std::int8_t& side = hold.side[static_cast<std::size_t>(particles.id(slot) - 1)];
-            if (hold.is_plane) {
-                side = dot(p - hold.low, hold.high) < 0.0 ? -1 : 1;
-            } else {
-                side = is_within(p, hold.low, hold.high, 0.0) ? 1 : 0;
-            }
+            hold.side[static_cast<std::size_t>(particles.id(slot) - 1)] =
+                side_of(hold, particles.position(slot));
         }
         holds_.push_back(std::move(hold));
     }
     if (watches_energy(engine)) {
         engine.want_records();
+    }
+}
+
+std::int8_t GuardWatch::side_of(const Hold& hold, const Vec3& position) const {
+    if (hold.is_plane) {
+        return dot(position - hold.low, hold.high) < 0.0 ? -1 : 1;
+    }
+    return is_within(position, hold.low, hold.high, 0.0) ? 1 : 0;
+}
+
+/// What newcomers bring belongs to the budget, what leavers take does not. Energy of springs that
+/// go with a leaver is left out: they are few, and the excess of one is forgiven.
+void GuardWatch::change_population(const Engine& engine, const PopulationChange& change) {
+    const ParticleState& particles = engine.particles();
+    const std::size_t known = lost_.size();
+    lost_.resize(static_cast<std::size_t>(particles.last_id()));
+    for (Hold& hold : holds_) {
+        hold.side.resize(lost_.size());
+        for (Index slot = 0; slot < particles.size(); ++slot) {
+            const auto at = static_cast<std::size_t>(particles.id(slot) - 1);
+            if (at >= known) {
+                const Vec3 here = engine.walls()[hold.wall].to_wall(particles.position(slot));
+                hold.side[at] = side_of(hold, here);
+            }
+        }
+    }
+    const auto add = [&](const Sphere& sphere, double sign) {
+        const double mass = sphere_mass(density_[sphere.species], sphere.radius);
+        const double spin = norm(sphere.angular_velocity) * sphere.radius;
+        const double fall = -mass * dot(gravity_, sphere.position - origin_);
+        budget_ +=
+            sign * (0.5 * mass * (dot(sphere.velocity, sphere.velocity) + 0.4 * spin * spin));
+        budget_ += sign * fall;
+        potential_ += sign * fall;
+    };
+    for (const Sphere& sphere : change.newcomers) {
+        add(sphere, 1.0);
+    }
+    for (const Sphere& sphere : change.leavers) {
+        add(sphere, -1.0);
     }
 }
 
@@ -460,6 +500,11 @@ void GuardWatch::save(Archive& archive) const {
                                     gravity_.z});
     archive.put("guards/wall_load", wall_load_);
     archive.put("guards/lost", lost_);
+    for (std::size_t h = 0; h < holds_.size() && population_changes_; ++h) {
+        const std::vector<std::int8_t>& side = holds_[h].side;
+        archive.put("guards/side-" + std::to_string(h + 1),
+                    std::vector<std::uint8_t>(side.begin(), side.end()));
+    }
     archive.put("guards/lost_count", lost_count_);
     put_text(archive, "guards/overlap_warning", overlap_warning_);
     put_text(archive, "guards/speed_warning", speed_warning_);
@@ -477,7 +522,13 @@ void GuardWatch::load(const Archive& archive) {
     way_ = numbers[5];
     gravity_ = {numbers[6], numbers[7], numbers[8]};
     wall_load_ = archive.get<double>("guards/wall_load", wall_load_.size());
-    lost_ = archive.get<std::uint8_t>("guards/lost", lost_.size());
+    lost_ = population_changes_ ? archive.get<std::uint8_t>("guards/lost")
+                                : archive.get<std::uint8_t>("guards/lost", lost_.size());
+    for (std::size_t h = 0; h < holds_.size() && population_changes_; ++h) {
+        const auto& side =
+            archive.get<std::uint8_t>("guards/side-" + std::to_string(h + 1), lost_.size());
+        holds_[h].side.assign(side.begin(), side.end());
+    }
     lost_count_ = archive.count("guards/lost_count");
     overlap_warning_ = text_in(archive, "guards/overlap_warning");
     speed_warning_ = text_in(archive, "guards/speed_warning");

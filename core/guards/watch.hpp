@@ -34,6 +34,9 @@ public:
 
     void before_step(Engine& engine) const;
 
+    /// Call after particles came or went.
+    void change_population(const Engine& engine, const PopulationChange& change);
+
     /// Throws Error(unstable) if a guard says stop.
     void after_step(Engine& engine);
 
@@ -62,6 +65,8 @@ private:
         double potential = 0.0;  ///< [J] in gravity, from where the run began
     };
 
+    std::int8_t side_of(const Hold& hold, const Vec3& position) const;
+
     bool is_due(std::uint64_t cycle) const { return cycle % interval == 0; }
 
     bool watches_energy(const Engine& engine) const;
@@ -80,6 +85,8 @@ private:
     static constexpr std::uint64_t interval = 256;  ///< cycles
 
     Guards guards_;
+    std::vector<double> density_;  ///< [kg/m^3] by species
+    bool population_changes_ = false;
     Vec3 gravity_{};
     Vec3 origin_{};              ///< [m] where potential energy is zero
     double least_energy_ = 0.0;  ///< [J] below which motion is no matter

@@ -19,6 +19,11 @@ struct Sphere {
     Vec3 angular_velocity{};  ///< [rad/s]
 };
 
+/// [kg] of a sphere of a density [kg/m^3] and radius [m].
+inline double sphere_mass(double density, double radius) {
+    return density * 4.0 / 3.0 * pi * radius * radius * radius;
+}
+
 /// What became of one entry of particles.insertion.
 struct InsertionReport {
     std::int64_t asked = 0;

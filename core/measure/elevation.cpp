@@ -37,6 +37,15 @@ void Elevation::begin_interval(double t, double interval) {
     count_ = 0;
 }
 
+void Elevation::renumber(const PopulationChange& change) {
+    for (std::vector<Index>* slots : {&upper_, &lower_}) {
+        for (Index& slot : *slots) {
+            slot = change.slot_after[slot];
+        }
+        std::erase(*slots, PopulationChange::gone);
+    }
+}
+
 double Elevation::compute(const ParticleState& particles) const {
     return mean_height(particles, upper_, up_) - mean_height(particles, lower_, up_);
 }
@@ -65,6 +74,21 @@ void Elevation::save(Archive& archive) const {
                                     average_.value_or(none),
                                     entrainment_time_.value_or(none)});
     archive.put("elevation/counts", std::vector<std::uint64_t>{complete_, count_});
+}
+
+void Elevation::save_members(Archive& archive) const {
+    archive.put("elevation/upper", upper_);
+    archive.put("elevation/lower", lower_);
+}
+
+void Elevation::load_members(const Archive& archive, Index particle_count) {
+    upper_ = archive.get<Index>("elevation/upper");
+    lower_ = archive.get<Index>("elevation/lower");
+    for (const std::vector<Index>* slots : {&upper_, &lower_}) {
+        for (const Index slot : *slots) {
+            Archive::require(slot < particle_count, "elevation");
+        }
+    }
 }
 
 void Elevation::load(const Archive& archive) {

@@ -25,6 +25,9 @@ public:
     /// Takes a sample and closes an averaging interval if one has ended.
     void sample(const ParticleState& particles, double t);
 
+    /// Particles have other slots; what is gone no longer counts.
+    void renumber(const PopulationChange& change);
+
     double compute(const ParticleState& particles) const;
 
     /// Of the last sample [m].
@@ -38,6 +41,10 @@ public:
 
     void save(Archive& archive) const;
     void load(const Archive& archive);
+
+    /// Slots of both groups, which change where particles come and go.
+    void save_members(Archive& archive) const;
+    void load_members(const Archive& archive, Index particle_count);
 
 private:
     std::vector<Index> upper_, lower_;

@@ -61,6 +61,19 @@ void EnergyLedger::change_gravity(const ParticleState& particles, const Vec3& ch
     }
 }
 
+void EnergyLedger::begin_exchange(const LedgerView& view, double timestep) {
+    before_exchange_ = energies(view, timestep);
+}
+
+void EnergyLedger::end_exchange(const LedgerView& view, double timestep) {
+    const Energies after = energies(view, timestep);
+    const auto sum = [](const Energies& e) {
+        return e.kinetic_translation + e.kinetic_rotation + e.potential + e.elastic;
+    };
+    initial_ += sum(after) - sum(before_exchange_);
+    initial_elastic_ += after.elastic - before_exchange_.elastic;
+}
+
 void EnergyLedger::add_work(const LedgerView& view, double lead, double duration) {
     const ParticleState& p = view.particles;
     const auto touching = view.pairs.touching();

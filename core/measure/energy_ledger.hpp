@@ -14,7 +14,8 @@
 ///          step. It falls with the step. `residual`, what (1) leaves, is round-off and
 ///          dt^2/8 times gravity times the present contact forces (the potential goes by positions,
 ///          the work of gravity by full-step velocities): each side is summed on its own, so that a
-///          wrong force, lever or wall velocity shows.
+///          wrong force, lever or wall velocity shows. Where a particle goes while it touches
+///          others, half a step of the work of its contacts stays in `residual`.
 #pragma once
 
 #include "core/contact/pair_contacts.hpp"
@@ -54,6 +55,10 @@ public:
     /// Gravity is another from here on: what that adds to the potential is no gain.
     void change_gravity(const ParticleState& particles, const Vec3& change);
 
+    /// Call before and after particles come or go: what they bring and take is no loss.
+    void begin_exchange(const LedgerView& view, double timestep);
+    void end_exchange(const LedgerView& view, double timestep);
+
     /// First half of (2), once the forces at the end of a step are known.
     void end_step(const LedgerView& view, double timestep);
 
@@ -71,6 +76,7 @@ private:
 
     double initial_ = 0.0;
     double initial_elastic_ = 0.0;
+    Energies before_exchange_;
     double slip_ = 0.0;
     double dashpot_ = 0.0;
     double spring_work_ = 0.0;

@@ -86,6 +86,17 @@ MemoryNeed estimate_memory(const Scene& scene) {
         add(copies * per_particle * count_of(scene, scene.particles.insertion[k]),
             "/particles/insertion/" + std::to_string(k));
     }
+    double duration = 0.0;
+    for (const Stage& stage : scene.stages) {
+        duration += stage.duration;
+    }
+    for (std::size_t s = 0; s < scene.particles.sources.size(); ++s) {
+        const Source& source = scene.particles.sources[s];
+        const double length = std::min(duration, source.end.value_or(duration)) - source.start;
+        const double due = std::max(0.0, source.rate * length + 1.0);
+        const double most = source.count ? static_cast<double>(*source.count) : due;
+        add(copies * per_particle * std::min(due, most), "/particles/sources/" + std::to_string(s));
+    }
     for (std::size_t w = 0; w < scene.walls.size(); ++w) {
         add(copies * bytes_per_facet * facets_of(scene.walls[w].shape),
             "/walls/" + std::to_string(w) + "/shape");

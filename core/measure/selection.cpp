@@ -14,11 +14,6 @@ bool is_species(const Scene& scene,
     return !name || scene.particles.species[particles.species(slot)].name == *name;
 }
 
-bool holds(const Box& box, const Vec3& p) {
-    return p.x >= box.low.x && p.y >= box.low.y && p.z >= box.low.z && p.x <= box.high.x &&
-           p.y <= box.high.y && p.z <= box.high.z;
-}
-
 double coordinate(const Vec3& p, Axis axis) {
     return axis == Axis::x ? p.x : axis == Axis::y ? p.y : p.z;
 }
@@ -46,6 +41,17 @@ std::vector<std::int32_t> group_numbers(const Scene& scene, const ParticleState&
         }
     }
     return numbers;
+}
+
+std::int32_t group_of_newcomer(const Scene& scene, Index species) {
+    for (std::size_t g = 0; g < scene.groups.size(); ++g) {
+        const Group& group = scene.groups[g];
+        if (!group.box &&
+            (!group.species || *group.species == scene.particles.species[species].name)) {
+            return static_cast<std::int32_t>(g + 1);
+        }
+    }
+    return 0;
 }
 
 std::vector<std::int32_t> layer_numbers(const Layers& layers, const ParticleState& particles) {

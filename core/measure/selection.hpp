@@ -16,6 +16,9 @@ std::vector<Index> slots_of_group(const Scene& scene,
 /// By slot: 1 + index of the first group that holds it, 0 if none.
 std::vector<std::int32_t> group_numbers(const Scene& scene, const ParticleState& particles);
 
+/// Number of the first group without a box that takes in a species; 0 if there is none.
+std::int32_t group_of_newcomer(const Scene& scene, Index species);
+
 /// By slot: number of the layer between two edges, 0 outside all.
 std::vector<std::int32_t> layer_numbers(const Layers& layers, const ParticleState& particles);
 

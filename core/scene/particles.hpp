@@ -180,10 +180,66 @@ struct Removal {
     }
 };
 
+/// Deletes and counts, while the scene runs, the spheres whose centre lies in the interval (low,
+/// high) of one axis, and in the box if there is one.
+struct Sink {
+    std::string name;
+    Axis axis = Axis::z;
+    double low = -1e300;
+    double high = 1e300;
+    std::optional<Box> box;
+
+    static constexpr auto fields() {
+        return std::tuple{
+            required(&Sink::name, "name", "", any_number(), "name, unique among sinks"),
+            field(&Sink::axis, "axis", "", any_number(), "axis of the interval"),
+            field(&Sink::low, "low", "m", any_number(), "lower end of the interval"),
+            field(&Sink::high, "high", "m", any_number(), "upper end of the interval"),
+            field(&Sink::box, "box", "m", any_number(), "only centres in this box as well")};
+    }
+};
+
+/// Lets spheres in while the scene runs, at random places of a box where nothing is in their way.
+/// What finds no room waits.
+struct Source {
+    std::string name;
+    std::string species;
+    Box box;
+    double rate = 0.0;
+    std::optional<std::int64_t> count;
+    Vec3 velocity{};
+    double start = 0.0;
+    std::optional<double> end;
+    std::int64_t tries = 100;
+
+    static constexpr auto fields() {
+        return std::tuple{
+            required(&Source::name, "name", "", any_number(), "name, unique among sources"),
+            required(&Source::species, "species", "", any_number(), "name of the species"),
+            required(&Source::box,
+                     "box",
+                     "m",
+                     any_number(),
+                     "box that bounds the surfaces of the spheres"),
+            required(&Source::rate, "rate", "1/s", positive(), "spheres per second"),
+            field(&Source::count, "count", "1", at_least(1), "most spheres in all"),
+            field(&Source::velocity, "velocity", "m/s", any_number(), "velocity at the start"),
+            field(&Source::start, "start", "s", at_least(0.0), "time of the first sphere"),
+            field(&Source::end, "end", "s", positive(), "time after which none come"),
+            field(&Source::tries,
+                  "tries",
+                  "1",
+                  at_least(1),
+                  "placement attempts for each sphere that is due, at each look")};
+    }
+};
+
 struct Particles {
     std::vector<Species> species;
     std::vector<Insertion> insertion;
     std::vector<Removal> removal;
+    std::vector<Source> sources;
+    std::vector<Sink> sinks;
 
     static constexpr auto fields() {
         return std::tuple{
@@ -193,11 +249,18 @@ struct Particles {
                   "",
                   any_number(),
                   "how spheres come into the scene, in this order"),
-            field(&Particles::removal,
-                  "removal",
+            field(
+                &Particles::removal, "removal", "", any_number(), "slices deleted after insertion"),
+            field(&Particles::sources,
+                  "sources",
                   "",
                   any_number(),
-                  "slices deleted after insertion")};
+                  "what comes in while the scene runs"),
+            field(&Particles::sinks,
+                  "sinks",
+                  "",
+                  any_number(),
+                  "what is deleted while the scene runs")};
     }
 };
 

@@ -36,7 +36,7 @@ Renewal ListClock::due(std::uint64_t cycle,
                        const Vec3& shift,
                        bool exact,
                        const Kernels& kernels) {
-    if (!started_) {
+    if (!started_ || expired_) {
         return Renewal::candidates;
     }
     if (settings_.brute_force) {
@@ -65,6 +65,13 @@ void ListClock::renewed(Renewal what,
     object_clock_.restart(particles, shift);
     last_cycle_ = cycle;
     started_ = true;
+    expired_ = false;
+}
+
+void ListClock::expire(const ParticleState& particles) {
+    expired_ = true;
+    object_clock_.restart(particles, {});
+    candidate_clock_.restart(particles, {});
 }
 
 void ListClock::look_ahead(double smallest_radius) {
@@ -77,6 +84,7 @@ void ListClock::save(Archive& archive, const std::string& name) const {
     candidate_clock_.save(archive, name + "/candidate_clock");
     archive.put(name + "/last_cycle", last_cycle_);
     archive.put(name + "/horizon", std::vector<double>{last_travel_, ahead_travel_, horizon_});
+    archive.put(name + "/expired", std::uint64_t{expired_});
 }
 
 void ListClock::load(const Archive& archive,
@@ -89,6 +97,7 @@ void ListClock::load(const Archive& archive,
     last_travel_ = horizon[0];
     ahead_travel_ = horizon[1];
     horizon_ = horizon[2];
+    expired_ = archive.count(name + "/expired") != 0;
     started_ = true;
 }
 

@@ -45,6 +45,9 @@ public:
                  const ParticleState& particles,
                  const Vec3& shift);
 
+    /// The particles are others: both lists are due.
+    void expire(const ParticleState& particles);
+
     /// Starts a new look-ahead at the present speeds.
     void look_ahead(double smallest_radius);
 
@@ -64,6 +67,7 @@ private:
 
     SearchSettings settings_;
     bool started_ = false;
+    bool expired_ = false;
     std::uint64_t last_cycle_ = 0;
     TravelClock object_clock_{true};
     TravelClock candidate_clock_;

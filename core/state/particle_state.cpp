@@ -69,50 +69,98 @@ std::vector<double> plain(const Column<double>& column) {
 }
 
 template <class T>
-void restore(Column<T>& column, const std::vector<T>& from) {
-    if (column.size() != from.size()) {
-        throw_bad_input({.what = "the checkpoint holds another number of particles",
-                         .where = "checkpoint",
-                         .likely_cause = "the scene has changed since it was written",
-                         .next_step = "run the scene again without --resume"});
-    }
+void restore(Column<T>& column, const Archive& archive, const std::string& name) {
+    const std::vector<T>& from = archive.get<T>(name, column.size());
     std::copy(from.begin(), from.end(), column.begin());
 }
 
 }  // namespace
 
-ParticleState::ParticleState(std::span<const Sphere> spheres, std::span<const double> density)
-    : size_(static_cast<Index>(spheres.size())) {
-    const std::size_t padded = (spheres.size() + 7) / 8 * 8;
-    for (Column<double>* column : {&position_, &velocity_, &spin_, &force_, &torque_}) {
-        column->assign(4 * padded, 0.0);
-    }
-    loaded_.assign(padded, 0);
-    mass_.resize(size_);
-    species_.resize(size_);
-    id_.resize(size_);
-    slots_by_id_.resize(size_);
+ParticleState::ParticleState(std::span<const Sphere> spheres,
+                             std::span<const double> density,
+                             std::span<const double> expected_radii)
+    : density_(density.begin(), density.end()),
+      last_id_(static_cast<std::int64_t>(spheres.size())) {
+    resize(static_cast<Index>(spheres.size()));
+    const auto expect = [&](double radius) {
+        largest_radius_ = std::max(largest_radius_, radius);
+        smallest_radius_ = smallest_radius_ == 0.0 ? radius : std::min(smallest_radius_, radius);
+    };
     for (const Sphere& sphere : spheres) {
-        largest_radius_ = std::max(largest_radius_, sphere.radius);
-        smallest_radius_ =
-            smallest_radius_ == 0.0 ? sphere.radius : std::min(smallest_radius_, sphere.radius);
+        expect(sphere.radius);
     }
+    std::for_each(expected_radii.begin(), expected_radii.end(), expect);
     const SpatialOrder order(spheres, 2.0 * std::max(largest_radius_, 1e-300));
     slab_size_ = slab_size_of(size_, order.largest_layer);
     for (Index slot = 0; slot < size_; ++slot) {
         const Index origin = order.origin[slot];
-        const Sphere& s = spheres[origin];
-        const double mass = density[s.species] * 4.0 / 3.0 * pi * s.radius * s.radius * s.radius;
-        const double inverse_inertia = 1.0 / (0.4 * mass * s.radius * s.radius);
-        put_packet(position_, slot, s.position, s.radius);
-        put_packet(velocity_, slot, s.velocity, 1.0 / mass);
-        put_packet(spin_, slot, s.angular_velocity, static_cast<double>(s.species));
-        put_packet(torque_, slot, {}, inverse_inertia);
-        mass_[slot] = mass;
-        species_[slot] = s.species;
-        id_[slot] = static_cast<std::int64_t>(origin) + 1;
-        slots_by_id_[origin] = slot;
+        put(slot, spheres[origin], static_cast<std::int64_t>(origin) + 1);
     }
+    order_by_id();
+}
+
+/// Rows that are new hold zeros.
+void ParticleState::resize(Index size) {
+    size_ = size;
+    const std::size_t padded = (std::size_t{size} + 7) / 8 * 8;
+    for (Column<double>* column : {&position_, &velocity_, &spin_, &force_, &torque_}) {
+        column->resize(4 * std::size_t{size}, 0.0);
+        column->resize(4 * padded, 0.0);
+    }
+    loaded_.resize(size, 0);
+    loaded_.resize(padded, 0);
+    mass_.resize(size);
+    species_.resize(size);
+    id_.resize(size);
+}
+
+void ParticleState::put(Index slot, const Sphere& sphere, std::int64_t id) {
+    const double r = sphere.radius;
+    const double mass = sphere_mass(density_[sphere.species], r);
+    put_packet(position_, slot, sphere.position, r);
+    put_packet(velocity_, slot, sphere.velocity, 1.0 / mass);
+    put_packet(spin_, slot, sphere.angular_velocity, static_cast<double>(sphere.species));
+    put_packet(torque_, slot, {}, 1.0 / (0.4 * mass * r * r));
+    mass_[slot] = mass;
+    species_[slot] = sphere.species;
+    id_[slot] = id;
+}
+
+void ParticleState::order_by_id() {
+    slots_by_id_.resize(size_);
+    std::iota(slots_by_id_.begin(), slots_by_id_.end(), Index{0});
+    std::sort(slots_by_id_.begin(), slots_by_id_.end(), [&](Index a, Index b) {
+        return id_[a] < id_[b];
+    });
+}
+
+void ParticleState::change_population(const PopulationChange& change) {
+    Index stay = 0;
+    for (Index slot = 0; slot < size_; ++slot) {
+        const Index after = change.slot_after[slot];
+        if (after == PopulationChange::gone) {
+            continue;
+        }
+        for (Column<double>* column : {&position_, &velocity_, &spin_, &force_, &torque_}) {
+            std::copy_n(
+                column->data() + 4 * std::size_t{slot}, 4, column->data() + 4 * std::size_t{after});
+        }
+        loaded_[after] = loaded_[slot];
+        mass_[after] = mass_[slot];
+        species_[after] = species_[slot];
+        id_[after] = id_[slot];
+        ++stay;
+    }
+    const bool was_one_slab = slab_count() <= 1;
+    resize(stay);
+    resize(stay + static_cast<Index>(change.newcomers.size()));
+    for (Index slot = stay; slot < size_; ++slot) {
+        put(slot, change.newcomers[slot - stay], ++last_id_);
+    }
+    if (was_one_slab) {
+        slab_size_ = std::max(slab_size_, (size_ + 63) / 64 * 64);
+    }
+    order_by_id();
 }
 
 ParticleView ParticleState::view() {
@@ -162,15 +210,47 @@ void ParticleState::save(Archive& archive) const {
     archive.put("particles/force", plain(force_));
     archive.put("particles/torque", plain(torque_));
     archive.put("particles/loaded", std::vector<std::uint8_t>(loaded_.begin(), loaded_.end()));
+    archive.put("particles/id", std::vector<std::uint64_t>(id_.begin(), id_.end()));
+    archive.put("particles/species", species_);
+    archive.put("particles/counts",
+                std::vector<std::uint64_t>{slab_size_, static_cast<std::uint64_t>(last_id_)});
 }
 
-void ParticleState::load(const Archive& archive) {
-    restore(position_, archive.get<double>("particles/position"));
-    restore(velocity_, archive.get<double>("particles/velocity"));
-    restore(spin_, archive.get<double>("particles/spin"));
-    restore(force_, archive.get<double>("particles/force"));
-    restore(torque_, archive.get<double>("particles/torque"));
-    restore(loaded_, archive.get<std::uint8_t>("particles/loaded"));
+void ParticleState::load(const Archive& archive, bool may_differ) {
+    const auto& id = archive.get<std::uint64_t>("particles/id");
+    const auto& species = archive.get<Index>("particles/species", id.size());
+    const auto& counts = archive.get<std::uint64_t>("particles/counts", 2);
+    if (may_differ) {
+        resize(static_cast<Index>(id.size()));
+        slab_size_ = static_cast<Index>(counts[0]);
+        last_id_ = static_cast<std::int64_t>(counts[1]);
+        Archive::require(slab_size_ > 0 && slab_size_ % 64 == 0, "particles/counts");
+    } else if (id.size() != size_) {
+        throw_bad_input({.what = "the checkpoint holds another number of particles",
+                         .where = "checkpoint",
+                         .likely_cause = "the scene has changed since it was written",
+                         .next_step = "run the scene again without --resume"});
+    }
+    restore(position_, archive, "particles/position");
+    restore(velocity_, archive, "particles/velocity");
+    restore(spin_, archive, "particles/spin");
+    restore(force_, archive, "particles/force");
+    restore(torque_, archive, "particles/torque");
+    restore(loaded_, archive, "particles/loaded");
+    for (Index slot = 0; slot < size_; ++slot) {
+        Archive::require(species[slot] < density_.size(), "particles/species");
+        mass_[slot] = sphere_mass(density_[species[slot]], radius(slot));
+        species_[slot] = species[slot];
+        id_[slot] = static_cast<std::int64_t>(id[slot]);
+    }
+    order_by_id();
+    const bool ids_fit =
+        size_ == 0 || (id_[slots_by_id_.front()] >= 1 && id_[slots_by_id_.back()] <= last_id_);
+    const auto same_id = [&](Index a, Index b) { return id_[a] == id_[b]; };
+    Archive::require(
+        ids_fit && std::adjacent_find(slots_by_id_.begin(), slots_by_id_.end(), same_id) ==
+                       slots_by_id_.end(),
+        "particles/id");
 }
 
 }  // namespace grainbench

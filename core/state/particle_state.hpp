@@ -8,6 +8,7 @@
 #include "core/kernels/kernels.hpp"
 #include "core/scene.hpp"
 #include "core/state/aligned.hpp"
+#include "core/state/population.hpp"
 
 #include <span>
 
@@ -18,7 +19,10 @@ public:
     ParticleState() = default;
 
     /// \param density by species [kg/m^3]
-    ParticleState(std::span<const Sphere> spheres, std::span<const double> density);
+    /// \param expected_radii of spheres that may come later [m]
+    ParticleState(std::span<const Sphere> spheres,
+                  std::span<const double> density,
+                  std::span<const double> expected_radii = {});
 
     Index size() const { return size_; }
 
@@ -60,9 +64,16 @@ public:
 
     Index slab_count() const { return (size_ + slab_size_ - 1) / slab_size_; }
 
+    /// Of all that are, were or may come [m].
     double smallest_radius() const { return smallest_radius_; }
 
     double largest_radius() const { return largest_radius_; }
+
+    /// Ids that have been given out; ids are not used again.
+    std::int64_t last_id() const { return last_id_; }
+
+    /// Lets particles go and others come.
+    void change_population(const PopulationChange& change);
 
     /// Sets the inertial mass to factor * mass and keeps the momentum.
     void scale_inertia(Index slot, double factor);
@@ -74,7 +85,9 @@ public:
     void add_weight(const Vec3& gravity);
 
     void save(Archive& archive) const;
-    void load(const Archive& archive);
+
+    /// \param may_differ whether other particles may be there than at the start
+    void load(const Archive& archive, bool may_differ = false);
 
 private:
     static Vec3 vector(const Column<double>& packets, Index slot) {
@@ -82,13 +95,19 @@ private:
         return {p[0], p[1], p[2]};
     }
 
+    void put(Index slot, const Sphere& sphere, std::int64_t id);
+    void resize(Index size);
+    void order_by_id();
+
     Index size_ = 0;
     Index slab_size_ = 64;
     double smallest_radius_ = 0.0;
     double largest_radius_ = 0.0;
     Column<double> position_, velocity_, spin_, force_, torque_;
     Column<std::uint8_t> loaded_;
-    std::vector<double> mass_;
+    std::vector<double> density_;  ///< [kg/m^3] by species
+    std::int64_t last_id_ = 0;
+    std::vector<double> mass_;  ///< [kg]
     std::vector<Index> species_;
     std::vector<std::int64_t> id_;
     std::vector<Index> slots_by_id_;

@@ -63,24 +63,34 @@ void check_lattice(const LatticeInsertion& lattice, const std::string& at, Probl
     }
 }
 
-void check_random(const Scene& scene,
-                  const RandomInsertion& random,
-                  const std::string& at,
-                  Problems& problems) {
-    check_box(random.box.low, random.box.high, at + "/box", problems);
-    for (const Species& species : scene.particles.species) {
-        const Vec3 edge = random.box.high - random.box.low;
+/// The box must hold a sphere of the species.
+void check_room(const Particles& particles,
+                const std::string& name,
+                const Box& box,
+                const std::string& at,
+                Problems& problems) {
+    for (const Species& species : particles.species) {
+        const Vec3 edge = box.high - box.low;
         const double smallest = std::min({edge.x, edge.y, edge.z});
-        if (species.name == random.species && random.count > 0 && smallest > 0.0 &&
-            smallest < 2.0 * species.radius) {
+        if (species.name == name && smallest > 0.0 && smallest < 2.0 * species.radius) {
             add(problems,
-                at + "/box",
+                at,
                 fmt::format("the box is {} m thin, the spheres are {} m wide",
                             smallest,
                             2.0 * species.radius),
                 "the box bounds the surfaces of the spheres, not their centres",
                 "enlarge the box or choose a smaller species");
         }
+    }
+}
+
+void check_random(const Scene& scene,
+                  const RandomInsertion& random,
+                  const std::string& at,
+                  Problems& problems) {
+    check_box(random.box.low, random.box.high, at + "/box", problems);
+    if (random.count > 0) {
+        check_room(scene.particles, random.species, random.box, at + "/box", problems);
     }
     if (!random.inside) {
         return;
@@ -128,6 +138,56 @@ void check_insertion(const Scene& scene,
                        }
                    }},
         insertion);
+}
+
+void check_traffic(const Particles& particles, Problems& problems) {
+    check_unique_names(names_of(particles.sources), "/particles/sources", problems);
+    check_unique_names(names_of(particles.sinks), "/particles/sinks", problems);
+    for (std::size_t i = 0; i < particles.sources.size(); ++i) {
+        const Source& source = particles.sources[i];
+        const std::string at = fmt::format("/particles/sources/{}", i);
+        check_known(
+            source.species, names_of(particles.species), "species", at + "/species", problems);
+        check_box(source.box.low, source.box.high, at + "/box", problems);
+        check_room(particles, source.species, source.box, at + "/box", problems);
+        if (source.end && !(*source.end > source.start)) {
+            add(problems,
+                at + "/end",
+                fmt::format("{} s is not after the start at {} s", *source.end, source.start),
+                "the source would never act",
+                "give an end after the start, or leave it out");
+        }
+    }
+    for (std::size_t i = 0; i < particles.sinks.size(); ++i) {
+        const Sink& sink = particles.sinks[i];
+        const std::string at = fmt::format("/particles/sinks/{}", i);
+        if (sink.box) {
+            check_box(sink.box->low, sink.box->high, at + "/box", problems);
+        }
+        if (!(sink.low < sink.high)) {
+            add(problems,
+                at + "/high",
+                fmt::format("{} m is not above 'low', {} m", sink.high, sink.low),
+                "the ends are swapped",
+                "give low < high");
+        }
+        if (!sink.box && sink.low == -1e300 && sink.high == 1e300) {
+            add(problems,
+                at,
+                "a sink without bounds",
+                "it would delete every sphere",
+                "give 'high' to delete below a height, 'low', or a 'box'");
+        }
+        for (const Source& source : particles.sources) {
+            if (source.name == sink.name) {
+                add(problems,
+                    at + "/name",
+                    fmt::format("the name '{}' is taken by a source", sink.name),
+                    "their columns of the history would have one name",
+                    "give each a name of its own");
+            }
+        }
+    }
 }
 
 void check_triangles(const Triangles& shape, const std::string& at, Problems& problems) {
@@ -306,6 +366,7 @@ void check_bodies(const Scene& scene, Problems& problems) {
                 "give low < high");
         }
     }
+    check_traffic(particles, problems);
     check_unique_names(names_of(scene.walls), "/walls", problems);
     for (std::size_t i = 0; i < scene.walls.size(); ++i) {
         const Wall& wall = scene.walls[i];

@@ -50,6 +50,10 @@ TEST_P(Reference, TakesTheSamePathAsAnAbsoluteSpring) {
     expect_same_path(scene);
 }
 
+TEST_P(Reference, TakesTheSamePathWhereParticlesComeAndGo) {
+    expect_same_path(with_traffic(gas_in_box(GetParam())));
+}
+
 TEST_P(Reference, TakesTheSamePathAsASearchInEveryStep) {
     Scene scene = gas_in_box(GetParam());
     scene.detection.trigger = RemapInterval{1};

@@ -141,4 +141,16 @@ Scene thrown_bed() {
     return scene;
 }
 
+Scene with_traffic(Scene scene) {
+    scene.particles.sources = {{.name = "inlet",
+                                .species = "small",
+                                .box = {{-0.015, -0.015, 0.015}, {0.015, 0.015, 0.028}},
+                                .rate = 5000.0,
+                                .count = {},
+                                .velocity = {0.0, 0.0, -0.5},
+                                .end = {}}};
+    scene.particles.sinks = {{.name = "corner", .box = Box{{0.005, 0.005, -1.0}, {1.0, 1.0, 1.0}}}};
+    return scene;
+}
+
 }  // namespace grainbench::test

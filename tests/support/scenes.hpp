@@ -22,4 +22,7 @@ Scene shaken_bed();
 /// timestep scheme; elevation, ledger, wall forces, history and traces are on. Three realisations.
 Scene thrown_bed();
 
+/// A scene into which spheres come and from which they go: a source on top, a sink in a corner.
+Scene with_traffic(Scene scene);
+
 }  // namespace grainbench::test
