@@ -24,6 +24,9 @@ public:
         if (scene.gravity) {
             add("gravity", "/gravity");
         }
+        if (scene.periodic) {
+            add("periodic", "/periodic");
+        }
         for (std::size_t w = 0; w < scene.walls.size(); ++w) {
             add_motion(scene.walls[w].motion, at("/walls", w) + "/motion");
         }
@@ -32,6 +35,12 @@ public:
         }
         for (std::size_t s = 0; s < scene.particles.sinks.size(); ++s) {
             add("sink", at("/particles/sinks", s));
+        }
+        for (std::size_t d = 0; d < scene.driven.size(); ++d) {
+            add("driven_group", at("/driven", d));
+        }
+        if (scene.local_damping) {
+            add("local_damping", "/local_damping");
         }
         add_contact(scene.contact, "/contact");
         add(key_of(scene.timestep) + "_timestep", "/timestep");
@@ -84,6 +93,12 @@ private:
         }
         if (stage.gravity) {
             add("gravity", pointer + "/gravity");
+        }
+        for (std::size_t d = 0; d < stage.driven.size(); ++d) {
+            add("driven_group", at(pointer + "/driven", d));
+        }
+        if (stage.local_damping) {
+            add("local_damping", pointer + "/local_damping");
         }
         if (stage.contact) {
             add_contact(*stage.contact, pointer + "/contact");
@@ -143,6 +158,9 @@ public:
     explicit IdleList(const Scene& scene) {
         if (scene.gravity && norm(*scene.gravity) == 0.0) {
             add("/gravity", "its components are all 0");
+        }
+        if (scene.local_damping && scene.local_damping->coefficient == 0.0) {
+            add("/local_damping", "its coefficient is 0");
         }
         for (std::size_t w = 0; w < scene.walls.size(); ++w) {
             add_motion(scene.walls[w].motion, at("/walls", w) + "/motion");

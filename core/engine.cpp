@@ -104,9 +104,18 @@ Engine::Engine(const Scene& scene, std::uint64_t seed, const SimulationOptions& 
     SearchSettings settings =
         search_settings(detection_, particles_.smallest_radius(), options.reference);
     pairs_ = PairContacts(settings, table_.history_size());
+    if (scene.periodic) {
+        make_periodic(*scene.periodic, options.reference);
+    }
     settings.slack = wall_slack_per_radius * particles_.smallest_radius();
     wall_contacts_.assign(walls_.size(), WallContacts(settings, table_.history_size()));
-    sums_ = StableStep(particles_);
+    if (scene.local_damping) {
+        body_.local_damping = scene.local_damping->coefficient;
+    }
+    driven_ = DrivenGroups(scene, particles_);
+    for (const DrivenGroup& group : scene.driven) {
+        driven_.drive(group, 0.0, particles_);
+    }
     if (particles_.slab_count() > 1) {
         workers_ = Workers(options.threads);
     }
@@ -132,6 +141,25 @@ void Engine::measure_bed() {
     }
 }
 
+void Engine::make_periodic(const Periodic& periodic, bool is_reference) {
+    particles_.make_periodic(PeriodicBox(periodic));
+    const double reach = pairs_.candidate_reach(particles_);
+    image_margin_ = reach;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double period = particles_.box().period(axis);
+        if (period > 0.0 && !(period > 2.0 * reach)) {
+            throw_bad_input(
+                {.what = "the scene repeats itself after " + text_of(period) +
+                         " m, where contacts are looked for up to " + text_of(reach) + " m away",
+                 .where = std::string("/periodic/") + "xyz"[axis],
+                 .likely_cause = "the interval is not much wider than a particle",
+                 .next_step = "widen the interval to more than " + text_of(2.0 * reach) + " m"});
+        }
+        // The reference engine looks at all images, near or not.
+        image_margin_ = is_reference ? std::max(image_margin_, period) : image_margin_;
+    }
+}
+
 void Engine::begin_stage(const Stage& stage) {
     for (const StageMotion& change : stage.motions) {
         for (WallBody& wall : walls_) {
@@ -150,6 +178,10 @@ void Engine::begin_stage(const Stage& stage) {
         }
         table_ = next;
     }
+    change_drives(stage);
+    if (stage.local_damping) {
+        body_.local_damping = stage.local_damping->coefficient;
+    }
     if (stage.gravity) {
         change_gravity(*stage.gravity);
     }
@@ -157,7 +189,7 @@ void Engine::begin_stage(const Stage& stage) {
         change_scheme(*stage.timestep);
     }
     // Where inertia is scaled, gravity must pull at the real mass: it joins the forces.
-    gravity_ = std::holds_alternative<ScaledTimestep>(scheme_) ? Vec3{} : scene_gravity_;
+    body_.gravity = std::holds_alternative<ScaledTimestep>(scheme_) ? Vec3{} : scene_gravity_;
     table_.expect_impacts(1.0);
     single_contact_ = StableStep::single_contact_limit(particles_, table_, materials_.count());
     if (!started_) {
@@ -172,6 +204,36 @@ void Engine::begin_stage(const Stage& stage) {
         }
     }
     update_stable_step();
+}
+
+void Engine::change_drives(const Stage& stage) {
+    if (stage.driven.empty() && stage.released.empty()) {
+        return;
+    }
+    if (started_ && ledger_) {
+        ledger_->begin_exchange(ledger_view(), timestep_);
+    }
+    for (const std::string& name : stage.released) {
+        driven_.release(name, body_.gravity, timestep_, particles_);
+    }
+    for (const DrivenGroup& group : stage.driven) {
+        driven_.drive(group, time_, particles_);
+    }
+    if (!started_) {
+        return;
+    }
+    pairs_.expire(particles_);
+    for (WallContacts& contacts : wall_contacts_) {
+        contacts.expire(particles_);
+    }
+    if (ledger_) {
+        ledger_->end_exchange(ledger_view(), timestep_);
+    }
+}
+
+GroupLoad Engine::driven_load(std::size_t n) const {
+    const bool weight_included = std::holds_alternative<ScaledTimestep>(scheme_);
+    return driven_.load(n, particles_, weight_included ? scene_gravity_ : Vec3{});
 }
 
 void Engine::change_gravity(const Vec3& next) {
@@ -217,6 +279,9 @@ void Engine::step() {
     for (WallBody& wall : walls_) {
         wall.begin_step(time_);
     }
+    if (driven_.is_active()) {
+        driven_.begin_step(time_, timestep, particles_);
+    }
     if (ledger_) {
         enter(Phase::output);
         ledger_->begin_step(ledger_view(), timestep_, timestep);
@@ -248,12 +313,13 @@ void Engine::let_pass() {
     if (ledger_) {
         ledger_->begin_exchange(ledger_view(), timestep_);
     }
+    pairs_.forget_images(particles_);
     particles_.change_population(*population_change_);
+    driven_.change_population(*population_change_);
     pairs_.change_population(*population_change_, particles_);
     for (WallContacts& contacts : wall_contacts_) {
         contacts.change_population(*population_change_, particles_);
     }
-    sums_ = StableStep(particles_);
     measure_bed();
     single_contact_ = StableStep::single_contact_limit(particles_, table_, materials_.count());
     if (ledger_) {
@@ -288,7 +354,7 @@ double Engine::choose_timestep() const {
                                      fastest_.z + std::abs(bed_velocity_.z)});
     if (timestep_ == 0.0 || 2.0 * fastest * timestep > epsilon ||
         timestep > automatic.safety_factor * single_contact) {
-        timestep = std::min(timestep, kinematic_limit(particles_, gravity_, detection_.tolerance));
+        timestep = std::min(timestep, kinematic_limit(particles_, body_, detection_.tolerance));
     }
     return std::isfinite(timestep) ? timestep : unlimited_timestep;
 }
@@ -296,22 +362,24 @@ double Engine::choose_timestep() const {
 /// Kicks and drifts all particles, slab by slab; sums over slabs are in their order.
 MotionPass Engine::move_particles(double timestep) {
     const MotionPass all{.particles = particles_.view(),
-                         .gravity = {gravity_.x, gravity_.y, gravity_.z, 0.0},
+                         .gravity = {body_.gravity.x, body_.gravity.y, body_.gravity.z, 0.0},
                          .frame = {bed_velocity_.x, bed_velocity_.y, bed_velocity_.z, 0.0},
                          .kick = 0.5 * (timestep_ + timestep),
                          .drift = timestep,
+                         .local_damping = body_.local_damping,
                          .few_are_loaded = few_are_loaded(),
                          .first = 0,
                          .last = particles_.size(),
                          .fastest = {},
                          .velocity_sum = {}};
     const std::size_t size = particles_.slab_size();
+    const bool is_damped = body_.local_damping > 0.0;
     move_parts_.assign(particles_.slab_count(), all);
     workers_.for_each(move_parts_.size(), [&](std::size_t slab) {
         MotionPass& part = move_parts_[slab];
         part.first = slab * size;
         part.last = std::min<std::size_t>((slab + 1) * size, particles_.size());
-        kernels_->move(part);
+        (is_damped ? kernels_->move_damped : kernels_->move)(part);
     });
     MotionPass sum = all;
     for (const MotionPass& part : move_parts_) {
@@ -326,6 +394,9 @@ MotionPass Engine::move_particles(double timestep) {
 void Engine::move(double timestep) {
     const MotionPass pass = move_particles(timestep);
     fastest_ = {pass.fastest[0], pass.fastest[1], pass.fastest[2]};
+    if (driven_.is_active()) {
+        fastest_ = driven_.end_move(bed_velocity_, fastest_, particles_);
+    }
     travel_ = norm(fastest_) * timestep;
     pairs_.add_travel(travel_);
     bed_shift_ += timestep * bed_velocity_;
@@ -360,7 +431,17 @@ bool Engine::few_are_loaded() const {
 
 void Engine::find_contacts() {
     enter(Phase::detection);
-    Renewal renewal = pairs_.update(cycle_, particles_, bed_shift_, *kernels_);
+    if (particles_.has_images()) {
+        particles_.move_images();
+    }
+    if (has_left_its_period()) {
+        pairs_.expire(particles_);
+    }
+    Renewal renewal = pairs_.due(cycle_, particles_, bed_shift_, *kernels_);
+    if (renewal == Renewal::candidates && particles_.box().is_periodic()) {
+        renew_images();
+    }
+    pairs_.renew(renewal, cycle_, particles_, bed_shift_, *kernels_);
     enter(Phase::walls);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         renewal = std::min(
@@ -380,6 +461,36 @@ void Engine::find_contacts() {
     }
 }
 
+/// Whether the bed as a whole has moved so far along a periodic direction that its particles should
+/// be put back: lists go by motion relative to the bed and would never ask for it.
+bool Engine::has_left_its_period() const {
+    if (!particles_.box().is_periodic()) {
+        return false;
+    }
+    const Vec3 way = bed_shift_ - image_shift_;
+    const double along[3] = {way.x, way.y, way.z};
+    const double most = slack_per_radius * particles_.smallest_radius();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double period = particles_.box().period(axis);
+        const bool has_all_images = image_margin_ >= period;  // the reference engine's, made once
+        if (!has_all_images && std::abs(along[axis]) > most) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Particles that come back at the other end are elsewhere to walls, whose lists cannot know; and
+/// rows are others than those whose travel was measured.
+void Engine::renew_images() {
+    pairs_.forget_images(particles_);
+    particles_.renew_images(image_margin_);
+    image_shift_ = bed_shift_;
+    for (WallContacts& contacts : wall_contacts_) {
+        contacts.expire(particles_);
+    }
+}
+
 void Engine::update_stable_step() {
     if (!needs_stable_step()) {
         return;
@@ -388,10 +499,14 @@ void Engine::update_stable_step() {
     if (table_.stiffens()) {
         table_.expect_impacts(impact_speed());
     }
-    sums_.clear(table_.rotation_rules(), table_.rolling_ratio(), table_.twisting_ratio());
+    sums_.clear(
+        particles_, table_.rotation_rules(), table_.rolling_ratio(), table_.twisting_ratio());
     const StepSums sums = sums_.sums();
     const bool touching_only = detection_.create_on_overlap;
     pairs_.add_steps(particles_, table_, touching_only, sums, *kernels_);
+    if (particles_.has_images()) {
+        sums_.fold_images(particles_);
+    }
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         wall_contacts_[w].add_steps(
             particles_, walls_[w], table_, touching_only, sums, *kernels_, workers_);
@@ -405,9 +520,13 @@ void Engine::update_stable_step() {
 double Engine::compute_touching_limit() {
     ContactTable as_deep_as_now = table_;
     as_deep_as_now.expect_impacts(0.0);
-    sums_.clear(table_.rotation_rules(), table_.rolling_ratio(), table_.twisting_ratio());
+    sums_.clear(
+        particles_, table_.rotation_rules(), table_.rolling_ratio(), table_.twisting_ratio());
     const StepSums sums = sums_.sums();
     pairs_.add_steps(particles_, as_deep_as_now, true, sums, *kernels_);
+    if (particles_.has_images()) {
+        sums_.fold_images(particles_);
+    }
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         wall_contacts_[w].add_steps(
             particles_, walls_[w], as_deep_as_now, true, sums, *kernels_, workers_);
@@ -435,6 +554,9 @@ void Engine::add_forces(double timestep) {
     has_records_ = keep_records_ || want_records_;
     want_records_ = false;
     pairs_.add_forces(particles_, table_, timestep, has_records_, *kernels_, workers_);
+    if (particles_.has_images()) {
+        particles_.fold_images();
+    }
     enter(Phase::walls);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         wall_contacts_[w].add_forces(
@@ -470,13 +592,11 @@ std::uint64_t Engine::late_count() const {
 }
 
 Vec3 Engine::full_velocity(Index slot) const {
-    return particles_.velocity(slot) +
-           0.5 * timestep_ * (particles_.inverse_mass(slot) * particles_.force(slot) + gravity_);
+    return particles_.velocity(slot) + 0.5 * timestep_ * body_.acceleration(particles_, slot);
 }
 
 Vec3 Engine::full_spin(Index slot) const {
-    return particles_.spin(slot) +
-           (0.5 * timestep_ * particles_.inverse_inertia(slot)) * particles_.torque(slot);
+    return particles_.spin(slot) + 0.5 * timestep_ * body_.angular_acceleration(particles_, slot);
 }
 
 Vec3 Engine::contact_force(Index slot) const {
@@ -518,9 +638,13 @@ void Engine::save(Archive& archive) const {
                                     bed_shift_.z,
                                     fastest_.x,
                                     fastest_.y,
-                                    fastest_.z});
+                                    fastest_.z,
+                                    image_shift_.x,
+                                    image_shift_.y,
+                                    image_shift_.z});
     archive.put("engine/has_records", std::uint64_t{has_records_});
     particles_.save(archive);
+    driven_.save(archive);
     pairs_.save(archive);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         const std::string name = "wall-" + std::to_string(w + 1);
@@ -537,15 +661,16 @@ void Engine::save(Archive& archive) const {
 
 void Engine::load(const Archive& archive) {
     cycle_ = archive.count("engine/cycle");
-    const auto& numbers = archive.get<double>("engine/numbers", 12);
+    const auto& numbers = archive.get<double>("engine/numbers", 15);
     time_ = numbers[0];
     timestep_ = numbers[1];
     stable_ = numbers[2];
     bed_velocity_ = {numbers[3], numbers[4], numbers[5]};
     bed_shift_ = {numbers[6], numbers[7], numbers[8]};
     fastest_ = {numbers[9], numbers[10], numbers[11]};
+    image_shift_ = {numbers[12], numbers[13], numbers[14]};
     particles_.load(archive, traffic_.has_value());
-    sums_ = StableStep(particles_);
+    driven_.load(archive, particles_);
     pairs_.load(archive, particles_);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         const std::string name = "wall-" + std::to_string(w + 1);

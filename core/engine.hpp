@@ -2,6 +2,8 @@
 /// share/doc/notation.md. It knows nothing of output or stages beyond their physics.
 #pragma once
 
+#include "core/body/body_forces.hpp"
+#include "core/body/driven_groups.hpp"
 #include "core/contact/contact_table.hpp"
 #include "core/contact/pair_contacts.hpp"
 #include "core/contact/wall_contacts.hpp"
@@ -67,7 +69,14 @@ public:
     bool has_records() const { return has_records_; }
 
     /// Acceleration that acts on velocities; zero where gravity is among the forces.
-    const Vec3& gravity() const { return gravity_; }
+    const Vec3& gravity() const { return body_.gravity; }
+
+    const BodyForces& body() const { return body_; }
+
+    const DrivenGroups& driven() const { return driven_; }
+
+    /// What contacts do to driven group n.
+    GroupLoad driven_load(std::size_t n) const;
 
     const std::vector<InsertionReport>& insertion_reports() const { return insertion_reports_; }
 
@@ -109,9 +118,7 @@ public:
     void load(const Archive& archive);
 
 private:
-    LedgerView ledger_view() const {
-        return {particles_, pairs_, walls_, wall_contacts_, gravity_};
-    }
+    LedgerView ledger_view() const { return {particles_, pairs_, walls_, wall_contacts_, body_}; }
 
     void enter(Phase phase) const {
         if (phase_watch_ != nullptr) {
@@ -119,8 +126,12 @@ private:
         }
     }
 
+    void make_periodic(const Periodic& periodic, bool is_reference);
+    bool has_left_its_period() const;
+    void renew_images();
     void measure_bed();
     void let_pass();
+    void change_drives(const Stage& stage);
     void change_gravity(const Vec3& next);
     void change_scheme(const Timestep& next);
     double choose_timestep() const;
@@ -142,13 +153,16 @@ private:
     Timestep scheme_;
     Detection detection_;
     Vec3 scene_gravity_{};
-    Vec3 gravity_{};
+    BodyForces body_;
+    DrivenGroups driven_;
     bool keep_records_ = false;
     bool want_records_ = false;
     bool has_records_ = false;
     std::vector<WallBody> walls_;
     std::vector<WallContacts> wall_contacts_;
     ParticleState particles_;
+    double image_margin_ =
+        0.0;  ///< [m] from periodic boundaries, within which particles have images
     PairContacts pairs_;
     StableStep sums_;
     Workers workers_;
@@ -167,6 +181,7 @@ private:
     double single_contact_ = 0.0;  ///< limit of one lone contact
     Vec3 bed_velocity_{};          ///< mean velocity in the last cycle: the bed's frame
     Vec3 bed_shift_{};             ///< displacement of that frame
+    Vec3 image_shift_{};           ///< the same when images were last made
     Vec3 fastest_{};               ///< largest speed per axis relative to it
     double travel_ = 0.0;
 };

@@ -3,12 +3,15 @@
 /// are in core/scene, by theme. SI units.
 #pragma once
 
+#include "core/body/laws/local_damping.hpp"
 #include "core/describe.hpp"
 #include "core/guards/guards.hpp"
 #include "core/scene/contact.hpp"
+#include "core/scene/driven.hpp"
 #include "core/scene/measurement.hpp"
 #include "core/scene/output.hpp"
 #include "core/scene/particles.hpp"
+#include "core/scene/periodic.hpp"
 #include "core/scene/stages.hpp"
 #include "core/scene/stepping.hpp"
 #include "core/scene/walls.hpp"
@@ -45,9 +48,12 @@ struct Scene {
     std::string title;
     std::string description;
     std::optional<Vec3> gravity;
+    std::optional<Periodic> periodic;
     Particles particles;
     std::vector<Wall> walls;
     Contact contact;
+    std::optional<LocalDamping> local_damping;
+    std::vector<DrivenGroup> driven;
     Timestep timestep;
     Detection detection;
     std::vector<Stage> stages;
@@ -66,9 +72,20 @@ struct Scene {
             field(&Scene::title, "title", "", any_number(), "one line"),
             field(&Scene::description, "description", "", any_number(), "what the scene shows"),
             field(&Scene::gravity, "gravity", "m/s^2", any_number(), "acceleration; absent = none"),
+            field(&Scene::periodic,
+                  "periodic",
+                  "",
+                  any_number(),
+                  "directions in which the scene repeats itself; absent = none"),
             required(&Scene::particles, "particles", "", any_number(), "species and insertion"),
             field(&Scene::walls, "walls", "", any_number(), "rigid bodies of infinite mass"),
             required(&Scene::contact, "contact", "", any_number(), "contact laws"),
+            field(&Scene::local_damping,
+                  "local_damping",
+                  "",
+                  any_number(),
+                  "damping of every particle against its own motion; absent = none"),
+            field(&Scene::driven, "driven", "", any_number(), "groups that move as told"),
             field(&Scene::timestep, "timestep", "", any_number(), "how the step is chosen"),
             field(&Scene::detection, "detection", "", any_number(), "how contacts are found"),
             required(&Scene::stages, "stages", "", any_number(), "what happens, in this order"),

@@ -141,7 +141,8 @@ void Simulation::Impl::name_columns() {
                  {"energy_elastic", "held by contact springs"},
                  {"energy_dissipated_slip", "lost to sliding friction"},
                  {"energy_dissipated_dashpot", "lost to dashpots"},
-                 {"energy_wall_work", "work of the walls on the particles"},
+                 {"energy_dissipated_local", "lost to local damping"},
+                 {"energy_wall_work", "work of walls and driven groups on the others"},
                  {"energy_numerical", "lost by the integrator where contacts open and close"},
                  {"energy_residual", "what the ledger leaves: round-off"}}) {
             columns.push_back({name, "J", doc});
@@ -156,6 +157,15 @@ void Simulation::Impl::name_columns() {
                 columns.push_back({wall.name + ".torque_" + axis, "N m", "about the origin"});
             }
             columns.push_back({wall.name + ".displacement_z", "m", "of the wall since the start"});
+        }
+        for (const std::string& name : engine.driven().names()) {
+            for (const char* axis : {"x", "y", "z"}) {
+                columns.push_back({name + ".force_" + axis, "N", "of the others on the group"});
+            }
+            for (const char* axis : {"x", "y", "z"}) {
+                columns.push_back(
+                    {name + ".torque_" + axis, "N m", "about the centre of its motion"});
+            }
         }
     }
 }
@@ -377,7 +387,7 @@ ParticleFrame Simulation::particle_frame() const {
     std::vector<std::int32_t> contacts(p.size(), 0);
     for (const TouchingContact contact : s.engine.pairs().touching()) {
         ++contacts[s.engine.pairs().objects().i[contact.place()]];
-        ++contacts[s.engine.pairs().objects().j[contact.place()]];
+        ++contacts[p.owner(s.engine.pairs().objects().j[contact.place()])];
     }
     for (const WallContacts& wall : s.engine.wall_contacts()) {
         for (Index t = 0; t < wall.touching_count(); ++t) {
@@ -389,7 +399,7 @@ ParticleFrame Simulation::particle_frame() const {
     frame.cycle = cycle();
     for (const Index slot : p.slots_by_id()) {
         frame.id.push_back(p.id(slot));
-        frame.position.push_back(p.position(slot));
+        frame.position.push_back(p.box().wrapped(p.position(slot)));
         frame.radius.push_back(p.radius(slot));
         frame.species.push_back(static_cast<std::int32_t>(p.species(slot)));
         frame.group.push_back(s.groups[slot]);
@@ -446,11 +456,12 @@ ContactFrame Simulation::contact_frame() const {
         const Index i = engine.pairs().objects().i[touching[t].place()];
         const Index j = engine.pairs().objects().j[touching[t].place()];
         frame.i_id.push_back(p.id(i));
-        frame.j_id.push_back(p.id(j));
+        frame.j_id.push_back(p.id(p.owner(j)));
         frame.wall.push_back(0);
         frame.i_position.push_back(p.position(i));
-        frame.j_position.push_back(p.position(j));
-        frame.overlap.push_back(p.radius(i) + p.radius(j) - norm(p.position(j) - p.position(i)));
+        const Vec3 branch = p.box().shortest(p.position(j) - p.position(i));
+        frame.j_position.push_back(p.position(i) + branch);
+        frame.overlap.push_back(p.radius(i) + p.radius(j) - norm(branch));
         append(engine.pairs().record(t));
     }
     for (std::size_t w = 0; w < engine.walls().size(); ++w) {
@@ -476,7 +487,7 @@ std::vector<TracePoint> Simulation::trace_points() const {
             continue;
         }
         points.push_back({impl_->engine.particles().id(slot),
-                          impl_->engine.particles().position(slot),
+                          impl_->engine.particles().unwrapped(slot),
                           impl_->engine.full_velocity(slot)});
     }
     return points;
@@ -489,7 +500,7 @@ const std::vector<HistoryColumn>& Simulation::history_columns() const {
 std::vector<double> Simulation::history_row() const {
     const Impl& s = *impl_;
     const auto [translation, rotation] =
-        kinetic_energies(s.engine.particles(), s.engine.gravity(), s.engine.timestep());
+        kinetic_energies(s.engine.particles(), s.engine.body(), s.engine.timestep());
     std::vector<double> row{time(),
                             static_cast<double>(cycle()),
                             timestep(),
@@ -519,6 +530,7 @@ std::vector<double> Simulation::history_row() const {
                     e.elastic,
                     e.dissipated_slip,
                     e.dissipated_dashpot,
+                    e.dissipated_local,
                     e.wall_work,
                     e.numerical,
                     e.residual});
@@ -540,6 +552,16 @@ std::vector<double> Simulation::history_row() const {
                         torque.y,
                         torque.z,
                         s.engine.walls()[w].displacement().z});
+        }
+        for (std::size_t n = 0; n < s.engine.driven().size(); ++n) {
+            const GroupLoad load = s.engine.driven_load(n);
+            row.insert(row.end(),
+                       {load.force.x,
+                        load.force.y,
+                        load.force.z,
+                        load.torque.x,
+                        load.torque.y,
+                        load.torque.z});
         }
     }
     return row;

@@ -23,7 +23,9 @@ void for_each_bit(std::span<const std::uint64_t> words, const Act& act) {
 
 }  // namespace
 
-void ContactObjects::renew(const PairList& from, std::span<const Index> found) {
+void ContactObjects::renew(const PairList& from,
+                           std::span<const Index> found,
+                           const RowOwners& owner) {
     std::swap(list_, list_before_);
     std::swap(acting_, acting_before_);
     std::swap(rows_, rows_before_);
@@ -38,17 +40,36 @@ void ContactObjects::renew(const PairList& from, std::span<const Index> found) {
     rows_.assign(stride() * list_.i.size(), 0.0);
     touching_.resize(list_.i.size());
     touching_count_ = 0;
+    if (owner.are_trivial()) {
+        carry_over(count, [](Index j) { return j; });
+    } else {
+        for (Index k = 0; k < list_before_.count; ++k) {
+            list_before_.j[k] = owner(list_before_.j[k]);
+        }
+        carry_over(count, owner);
+    }
+}
+
+/// Those that acted and are still listed go on. Both lists ascend by (i, owner of j).
+template <class Owner>
+void ContactObjects::carry_over(Index count, const Owner& owner) {
     Index k = 0;
     for_each_bit(acting_before_, [&](Index old) {
         const std::uint64_t wanted = key(list_before_.i[old], list_before_.j[old]);
-        while (k < count && key(list_.i[k], list_.j[k]) < wanted) {
+        while (k < count && key(list_.i[k], owner(list_.j[k])) < wanted) {
             ++k;
         }
-        if (k < count && key(list_.i[k], list_.j[k]) == wanted) {
+        if (k < count && key(list_.i[k], owner(list_.j[k])) == wanted) {
             set_acting(k);
             std::copy_n(rows_before_.data() + stride() * old, stride(), row(k));
         }
     });
+}
+
+void ContactObjects::forget_images(const RowOwners& owner) {
+    for (Index k = 0; k < list_.count; ++k) {
+        list_.j[k] = owner(list_.j[k]);
+    }
 }
 
 std::vector<Index> ContactObjects::renumber(const PopulationChange& change,
@@ -183,8 +204,9 @@ void ContactObjects::save(Archive& archive, const std::string& name) const {
 void ContactObjects::load(const Archive& archive,
                           const std::string& name,
                           std::size_t i_end,
-                          std::size_t j_end) {
-    list_.load(archive, name + "/i", name + "/j", i_end, j_end);
+                          std::size_t j_end,
+                          const RowOwners& owner) {
+    list_.load(archive, name + "/i", name + "/j", i_end, j_end, owner);
     acting_ = archive.get<std::uint64_t>(name + "/acting", list_.words());
     const std::uint64_t beyond =
         list_.count % 64 == 0 ? 0 : ~std::uint64_t{0} << (list_.count % 64);

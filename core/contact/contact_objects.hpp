@@ -39,14 +39,19 @@ public:
 
     /// Takes the first `count` of `found` places in `from` as the new objects. Those that act and
     /// stay keep their history.
-    void renew(const PairList& from, std::span<const Index> found);
+    /// \param owner of rows: contacts are the same if their particles are
+    void renew(const PairList& from, std::span<const Index> found, const RowOwners& owner = {});
+
+    /// Images are about to change: pairs name the particles themselves until the next renewal.
+    void forget_images(const RowOwners& owner);
 
     /// Particles have other slots: objects of those that are gone go, the others keep what they
     /// have. \param partner_is_particle whether the second of a pair is a slot too \return which of
     /// touching() stay, by their place there before
     std::vector<Index> renumber(const PopulationChange& change, bool partner_is_particle);
 
-    /// True if the pair was in the list before the last renewal; nothing is after forget_before().
+    /// True if the pair of particles was in the list before the last renewal; nothing is after
+    /// forget_before().
     bool was_listed(Index i, Index j) const;
 
     /// Gives back the room of what was before the last renewal, if it is large.
@@ -89,9 +94,13 @@ public:
     void load(const Archive& archive,
               const std::string& name,
               std::size_t i_end,
-              std::size_t j_end);
+              std::size_t j_end,
+              const RowOwners& owner = {});
 
 private:
+    template <class Owner>
+    void carry_over(Index count, const Owner& owner);
+
     std::size_t stride() const {
         return 4 * std::size_t{history_packets(history_size_) + extra_packets_};
     }

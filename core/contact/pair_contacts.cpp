@@ -20,19 +20,30 @@ PairQuery PairContacts::query(const ParticleState& particles,
             .extra = extra};
 }
 
-Renewal PairContacts::update(std::uint64_t cycle,
-                             const ParticleState& particles,
-                             const Vec3& bed_shift,
-                             const Kernels& kernels) {
-    const Renewal due = clock_.due(cycle, particles, bed_shift, true, kernels);
+Renewal PairContacts::due(std::uint64_t cycle,
+                          const ParticleState& particles,
+                          const Vec3& bed_shift,
+                          const Kernels& kernels) {
+    return clock_.due(cycle, particles, bed_shift, true, kernels);
+}
+
+void PairContacts::renew(Renewal due,
+                         std::uint64_t cycle,
+                         const ParticleState& particles,
+                         const Vec3& bed_shift,
+                         const Kernels& kernels) {
     if (due == Renewal::candidates) {
         build_candidates(particles, kernels);
     }
     if (due <= Renewal::objects) {
-        renew(particles, kernels);
+        renew_objects(particles, kernels);
         clock_.renewed(due, cycle, particles, bed_shift);
     }
-    return due;
+}
+
+double PairContacts::candidate_reach(const ParticleState& particles) const {
+    const SearchSettings& settings = clock_.settings();
+    return 2.0 * ((1.0 + settings.tolerance) * particles.largest_radius() + settings.slack);
 }
 
 void PairContacts::change_population(const PopulationChange& change, const ParticleState& after) {
@@ -55,7 +66,7 @@ void PairContacts::build_candidates(const ParticleState& particles, const Kernel
     if (settings.brute_force) {
         candidates_.clear();
         for (Index a = 0; a < particles.size(); ++a) {
-            for (Index b = a + 1; b < particles.size(); ++b) {
+            for (Index b = a + 1; b < particles.row_count(); ++b) {
                 candidates_.append(a, b);
             }
         }
@@ -64,10 +75,34 @@ void PairContacts::build_candidates(const ParticleState& particles, const Kernel
         finder_.find(
             particles, 1.0 + settings.tolerance, 2.0 * settings.slack, kernels, candidates_);
     }
+    if (particles.has_images()) {
+        leave_one_of_images(particles);
+    }
+    if (particles.has_driven()) {
+        candidates_.remove_if(
+            [&](Index i, Index j) { return particles.is_driven(i) && particles.is_driven(j); });
+    }
     ++builds_;
 }
 
-void PairContacts::renew(const ParticleState& particles, const Kernels& kernels) {
+/// Two particles near a periodic boundary meet twice, each with the image of the other: the pair of
+/// the lower slot and the image of the higher stays. Pairs then ascend by the particles they mean.
+void PairContacts::leave_one_of_images(const ParticleState& particles) {
+    candidates_.remove_if(
+        [&](Index i, Index j) { return i >= particles.size() || i >= particles.owner(j); });
+    for (Index first = 0; first < candidates_.count;) {
+        Index last = first;
+        while (last < candidates_.count && candidates_.i[last] == candidates_.i[first]) {
+            ++last;
+        }
+        std::sort(candidates_.j.begin() + first,
+                  candidates_.j.begin() + last,
+                  [&](Index a, Index b) { return particles.owner(a) < particles.owner(b); });
+        first = last;
+    }
+}
+
+void PairContacts::renew_objects(const ParticleState& particles, const Kernels& kernels) {
     found_.resize(static_cast<std::size_t>(candidates_.count) + 8);
     Index count = candidates_.count;
     if (clock_.settings().brute_force) {
@@ -76,7 +111,7 @@ void PairContacts::renew(const ParticleState& particles, const Kernels& kernels)
         count = kernels.find_pairs(
             query(particles, candidates_, 1.0 + clock_.settings().tolerance, 0.0), found_.data());
     }
-    objects_.renew(candidates_, {found_.data(), count});
+    objects_.renew(candidates_, {found_.data(), count}, RowOwners(particles));
     within_.resize(objects_.list().words());
     cut_into_slabs(particles);
     adopt_late_contacts(particles, kernels);
@@ -108,7 +143,7 @@ void PairContacts::adopt_late_contacts(const ParticleState& particles, const Ker
     for (std::size_t w = 0; w < within_.size(); ++w) {
         for (std::uint64_t bits = within_[w] & ~objects_.acting()[w]; bits != 0; bits &= bits - 1) {
             const Index k = static_cast<Index>(64 * w) + static_cast<Index>(__builtin_ctzll(bits));
-            if (!objects_.was_listed(list.i[k], list.j[k])) {
+            if (!objects_.was_listed(list.i[k], particles.owner(list.j[k]))) {
                 objects_.set_acting(k);
                 late_ += clock_.is_started() ? 1 : 0;
             }
@@ -216,8 +251,10 @@ void PairContacts::save(Archive& archive) const {
 void PairContacts::load(const Archive& archive, const ParticleState& particles) {
     const std::size_t size = particles.size();
     clock_.load(archive, "pairs", particles);
-    candidates_.load(archive, "pairs/candidate_i", "pairs/candidate_j", size, size);
-    objects_.load(archive, "pairs/objects", size, size);
+    const std::size_t rows = particles.row_count();
+    const RowOwners owner(particles);
+    candidates_.load(archive, "pairs/candidate_i", "pairs/candidate_j", size, rows, owner);
+    objects_.load(archive, "pairs/objects", size, rows, owner);
     within_.assign(objects_.list().words(), 0);
     cut_into_slabs(particles);
     const auto& records = archive.get<double>("pairs/records");

@@ -21,17 +21,35 @@ public:
     /// Other laws from here on: column c of the history takes over sources[c]; -1 starts from zero.
     void change_history(std::span<const int> sources) { objects_.change_history(sources); }
 
+    /// Others may touch than the lists allow for; they are made anew before the next step.
+    void expire(const ParticleState& particles) { clock_.expire(particles); }
+
     /// Particles have other slots; lists are made anew before the next step.
     void change_population(const PopulationChange& change, const ParticleState& after);
 
     /// Adds the travel bound of one step, relative to the bed's frame.
     void add_travel(double bound) { clock_.add_travel(bound); }
 
-    /// Renews the lists that are due, at the present positions.
-    Renewal update(std::uint64_t cycle,
-                   const ParticleState& particles,
-                   const Vec3& bed_shift,
-                   const Kernels& kernels);
+    /// Which lists are due at the present positions.
+    Renewal due(std::uint64_t cycle,
+                const ParticleState& particles,
+                const Vec3& bed_shift,
+                const Kernels& kernels);
+
+    /// Call before images of particles are made anew; renew the candidates afterwards.
+    void forget_images(const ParticleState& particles) {
+        objects_.forget_images(RowOwners(particles));
+    }
+
+    /// Distance of centres up to which pairs may be candidates [m].
+    double candidate_reach(const ParticleState& particles) const;
+
+    /// Renews the lists that are due.
+    void renew(Renewal due,
+               std::uint64_t cycle,
+               const ParticleState& particles,
+               const Vec3& bed_shift,
+               const Kernels& kernels);
 
     /// Finds the touching contacts; those that opened lose their history. True if the set changed.
     /// \param reach gap up to which contacts count as touching [m]
@@ -82,7 +100,8 @@ public:
 
 private:
     void build_candidates(const ParticleState& particles, const Kernels& kernels);
-    void renew(const ParticleState& particles, const Kernels& kernels);
+    void renew_objects(const ParticleState& particles, const Kernels& kernels);
+    void leave_one_of_images(const ParticleState& particles);
     void cut_into_slabs(const ParticleState& particles);
     void adopt_late_contacts(const ParticleState& particles, const Kernels& kernels);
     PairQuery query(const ParticleState& particles,

@@ -94,6 +94,9 @@ void WallContacts::build_candidates(const ParticleState& particles,
         const Index last = std::min(first + collected_particles, particles.size());
         std::vector<Index> patches;
         for (Index slot = first; slot < last; ++slot) {
+            if (particles.is_driven(slot)) {
+                continue;
+            }
             patches.clear();
             const double reach =
                 settings.brute_force

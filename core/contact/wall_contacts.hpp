@@ -22,6 +22,9 @@ public:
     /// Other laws from here on: column c of the history takes over sources[c]; -1 starts from zero.
     void change_history(std::span<const int> sources) { objects_.change_history(sources); }
 
+    /// Others may touch than the lists allow for; they are made anew before the next step.
+    void expire(const ParticleState& particles) { clock_.expire(particles); }
+
     /// Particles have other slots; lists are made anew before the next step.
     void change_population(const PopulationChange& change, const ParticleState& after);
 

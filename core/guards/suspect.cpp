@@ -27,7 +27,7 @@ std::string partners_of(const Engine& engine, Index slot) {
     };
     for (const TouchingContact contact : engine.pairs().touching()) {
         const Index i = engine.pairs().objects().i[contact.place()];
-        const Index j = engine.pairs().objects().j[contact.place()];
+        const Index j = engine.particles().owner(engine.pairs().objects().j[contact.place()]);
         if (i == slot || j == slot) {
             add(name_of(engine, i == slot ? j : i));
         }

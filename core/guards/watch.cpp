@@ -49,6 +49,9 @@ std::optional<Index> most_energetic(const Engine& engine) {
     std::optional<Index> found;
     double most = -1.0;
     for (Index slot = 0; slot < engine.particles().size(); ++slot) {
+        if (engine.particles().is_driven(slot)) {
+            continue;
+        }
         const Vec3 v = engine.particles().velocity(slot);
         const double energy = dot(v, v) / engine.particles().inverse_mass(slot);
         if (energy > most) {
@@ -76,7 +79,8 @@ std::pair<Index, double> deepest_contact(const Engine& engine) {
         const bool i_is_smaller = particles.radius(i) < particles.radius(j);
         const double overlap = particles.radius(i) + particles.radius(j) -
                                norm(particles.position(j) - particles.position(i));
-        offer(i_is_smaller ? i : j, overlap / std::min(particles.radius(i), particles.radius(j)));
+        offer(i_is_smaller ? i : particles.owner(j),
+              overlap / std::min(particles.radius(i), particles.radius(j)));
     }
     for (const WallContacts& contacts : engine.wall_contacts()) {
         for (Index t = 0; t < contacts.touching_count(); ++t) {
@@ -104,7 +108,7 @@ GuardWatch::GuardWatch(const Scene& scene, Engine& engine)
     }
     // At rest springs exchange as little with gravity; and round-off of potential energies.
     least_energy_ = 1e-5 * mass * norm(gravity_) * particles.smallest_radius();
-    wall_load_.resize(load_size * scene.walls.size());
+    wall_load_.resize(load_size * (scene.walls.size() + engine.driven().names().size()));
     lost_.resize(particles.size());
     for (std::size_t w = 0; w < scene.walls.size(); ++w) {
         Hold hold{.wall = w, .is_plane = false, .low = {}, .high = {}, .side = {}};
@@ -282,15 +286,25 @@ void GuardWatch::add_wall_work(const Engine& engine) {
                                 contacts.force(t));
             }
         }
-        double* before = wall_load_.data() + load_size * w;
-        const Vec3 mean = 0.5 * (force + Vec3{before[0], before[1], before[2]});
-        const Vec3 mean_torque = 0.5 * (torque + Vec3{before[3], before[4], before[5]});
-        supplied_ -=
-            (dot(mean, velocity.linear) + dot(mean_torque, velocity.angular)) * engine.timestep();
-        std::copy_n(std::array{force.x, force.y, force.z, torque.x, torque.y, torque.z}.data(),
-                    load_size,
-                    before);
+        add_work(w, {.force = force, .torque = torque, .velocity = velocity}, engine.timestep());
     }
+    for (std::size_t n = 0; engine.driven().is_active() && n < engine.driven().size(); ++n) {
+        add_work(engine.walls().size() + n, engine.driven_load(n), engine.timestep());
+    }
+}
+
+/// \param place in wall_load_
+void GuardWatch::add_work(std::size_t place, const GroupLoad& load, double timestep) {
+    double* before = wall_load_.data() + load_size * place;
+    const Vec3 force = 0.5 * (load.force + Vec3{before[0], before[1], before[2]});
+    const Vec3 torque = 0.5 * (load.torque + Vec3{before[3], before[4], before[5]});
+    supplied_ -= (dot(force, load.velocity.linear) + dot(torque, load.velocity.angular)) * timestep;
+    std::copy_n(
+        std::array{
+            load.force.x, load.force.y, load.force.z, load.torque.x, load.torque.y, load.torque.z}
+            .data(),
+        load_size,
+        before);
 }
 
 void GuardWatch::check_finite(const Engine& engine) const {
@@ -414,11 +428,13 @@ void GuardWatch::check_lost(const Engine& engine) {
 GuardWatch::Energy GuardWatch::energy_of(const Engine& engine) const {
     const ParticleState& particles = engine.particles();
     const auto [translation, rotation] =
-        kinetic_energies(particles, engine.gravity(), engine.timestep());
+        kinetic_energies(particles, engine.body(), engine.timestep());
     Energy energy{.motion = translation + rotation, .potential = 0.0};
     for (Index slot = 0; slot < particles.size(); ++slot) {
-        energy.potential -=
-            particles.mass(slot) * dot(gravity_, particles.position(slot) - origin_);
+        if (!particles.is_driven(slot)) {
+            energy.potential -=
+                particles.mass(slot) * dot(gravity_, particles.unwrapped(slot) - origin_);
+        }
     }
     for (Index t = 0; t < engine.pairs().touching().size(); ++t) {
         energy.motion += engine.pairs().record(t)[record_stored];

@@ -71,6 +71,7 @@ private:
 
     bool watches_energy(const Engine& engine) const;
     void add_wall_work(const Engine& engine);
+    void add_work(std::size_t place, const GroupLoad& load, double timestep);
     void check_travel(const Engine& engine);
     void check_finite(const Engine& engine) const;
     void check_overlap(const Engine& engine);
@@ -98,7 +99,8 @@ private:
     double turnover_ = 0.0;   ///< [J] recent work and falls
     double potential_ = 0.0;  ///< [J] at the last look
     double way_ = 0.0;        ///< [m] bound on what anything came since the last look at overlaps
-    std::vector<double> wall_load_;   ///< by wall: force [N] and torque [N m] of the last cycle
+    /// By wall, then by driven group: force [N] and torque [N m] of the last cycle.
+    std::vector<double> wall_load_;
     std::vector<std::uint8_t> lost_;  ///< by id - 1
     std::uint64_t lost_count_ = 0;
     std::string overlap_warning_, speed_warning_, timestep_warning_, energy_warning_;

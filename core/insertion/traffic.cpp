@@ -74,7 +74,7 @@ std::optional<PopulationChange> Traffic::next_change(const ParticleState& partic
 void Traffic::let_out(const ParticleState& particles, PopulationChange& change) {
     Index next = 0;
     for (Index slot = 0; slot < particles.size(); ++slot) {
-        const Vec3 p = particles.position(slot);
+        const Vec3 p = particles.box().wrapped(particles.position(slot));
         const auto sink = std::find_if(
             sinks_.begin(), sinks_.end(), [&](const Sink& one) { return catches(one, p); });
         if (sink == sinks_.end()) {
@@ -111,6 +111,7 @@ void Traffic::let_in(const ParticleState& particles,
                      PopulationChange& change) {
     std::optional<SphereGrid> present;  // built once somebody is due
     std::vector<Index> near;
+    std::vector<Vec3> shifts;
     for (std::size_t s = 0; s < feeds_.size(); ++s) {
         Feed& feed = feeds_[s];
         const Source& source = feed.source;
@@ -126,7 +127,8 @@ void Traffic::let_in(const ParticleState& particles,
             present.emplace(radii);
             for (Index slot = 0; slot < particles.size(); ++slot) {
                 if (change.slot_after[slot] != PopulationChange::gone) {
-                    present->add(particles.position(slot), particles.radius(slot));
+                    present->add(particles.box().wrapped(particles.position(slot)),
+                                 particles.radius(slot));
                 }
             }
         }
@@ -134,8 +136,15 @@ void Traffic::let_in(const ParticleState& particles,
         const Vec3 margin{feed.radius, feed.radius, feed.radius};
         const Vec3 low = source.box.low + margin;
         const Vec3 size = source.box.high - margin - low;
+        const auto overlaps = [&](const Vec3& centre) {
+            shifts.assign(1, {});  // and beyond periodic boundaries
+            particles.box().collect_shifts(centre, 2.0 * particles.largest_radius(), shifts);
+            return std::any_of(shifts.begin(), shifts.end(), [&](const Vec3& shift) {
+                return present->overlaps(centre + shift, room);
+            });
+        };
         const auto is_free = [&](const Vec3& centre) {
-            return !present->overlaps(centre, room) &&
+            return !overlaps(centre) &&
                    std::all_of(walls.begin(), walls.end(), [&](const WallBody& wall) {
                        near.clear();
                        wall.surface().collect(wall.to_wall(centre), room, near);
@@ -148,7 +157,7 @@ void Traffic::let_in(const ParticleState& particles,
             const double y = low.y + uniform(feed.seed, feed.draws + 1) * size.y;
             const double z = low.z + uniform(feed.seed, feed.draws + 2) * size.z;
             feed.draws += 3;
-            const Vec3 centre{x, y, z};
+            const Vec3 centre = particles.box().wrapped({x, y, z});
             if (!is_free(centre)) {
                 continue;
             }

@@ -5,10 +5,9 @@
 ///          at most `count`, none after `end`, and places them one by one at uniform random points
 ///          of its box where they overlap nothing.
 /// Source   random sequential insertion as at the start (core/insertion/insert.hpp).
-/// Limits   both act in the first cycle and every 64th after it. Newcomers keep a clearance of a hundredth of their radius,
-/// so
-///          that their first contact is found before it acts. A source whose box is full falls
-///          behind and catches up where it can.
+/// Limits   both act in the first cycle and every 64th after it. Newcomers keep a clearance of a
+///          hundredth of their radius: their first contact is found before it acts. A source whose
+///          box is full falls behind and catches up where it can.
 #pragma once
 
 #include "core/archive.hpp"

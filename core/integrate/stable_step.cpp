@@ -34,14 +34,26 @@ double largest_ratio(double inverse_mass,
 
 }  // namespace
 
-StableStep::StableStep(const ParticleState& particles)
-    : shear_(particles.positions().size(), 0.0) {}
-
-void StableStep::clear(bool rotation_rules, double rolling, double twisting) {
+void StableStep::clear(const ParticleState& particles,
+                       bool rotation_rules,
+                       double rolling,
+                       double twisting) {
     rolling_ = rolling;
     twisting_ = twisting;
-    std::fill(shear_.begin(), shear_.end(), 0.0);
+    shear_.assign(particles.positions().size(), 0.0);
     normal_.assign(rotation_rules ? 0 : shear_.size(), 0.0);
+}
+
+void StableStep::fold_images(const ParticleState& particles) {
+    for (Index row = particles.size(); row < particles.row_count(); ++row) {
+        for (Column<double>* column : {&shear_, &normal_}) {
+            for (std::size_t c = 0; c < 4 && !column->empty(); ++c) {
+                double& of_image = (*column)[4 * std::size_t{row} + c];
+                (*column)[4 * std::size_t{particles.owner(row)} + c] += of_image;
+                of_image = 0.0;
+            }
+        }
+    }
 }
 
 StepSums StableStep::sums() {
@@ -82,12 +94,12 @@ double StableStep::single_contact_limit(const ParticleState& particles,
     return smallest;
 }
 
-double kinematic_limit(const ParticleState& particles, const Vec3& gravity, double tolerance) {
+double kinematic_limit(const ParticleState& particles, const BodyForces& body, double tolerance) {
     double smallest = std::numeric_limits<double>::infinity();
     for (Index slot = 0; slot < particles.size(); ++slot) {
         const double epsilon = tolerance * particles.radius(slot);
         const Vec3 v = particles.velocity(slot);
-        const Vec3 a = particles.inverse_mass(slot) * particles.force(slot) + gravity;
+        const Vec3 a = body.acceleration(particles, slot);
         const double speeds[3] = {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
         const double accelerations[3] = {std::abs(a.x), std::abs(a.y), std::abs(a.z)};
         for (int axis = 0; axis < 3; ++axis) {

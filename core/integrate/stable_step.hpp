@@ -16,6 +16,7 @@
 ///          stability.
 #pragma once
 
+#include "core/body/body_forces.hpp"
 #include "core/contact/contact_table.hpp"
 #include "core/state/particle_state.hpp"
 
@@ -24,12 +25,17 @@ namespace grainbench {
 class StableStep {
 public:
     StableStep() = default;
-    explicit StableStep(const ParticleState& particles);
 
     /// Starts new sums; then let every contact that counts add to sums().
     /// \param rotation_rules no contact can make translation the limit: its sums are left out
     /// \param rolling, twisting stiffnesses of moments over K_s R^2 [1]
-    void clear(bool rotation_rules, double rolling, double twisting);
+    void clear(const ParticleState& particles,
+               bool rotation_rules,
+               double rolling,
+               double twisting);
+
+    /// Hands what contacts added to images of particles to their owners.
+    void fold_images(const ParticleState& particles);
 
     StepSums sums();
 
@@ -55,6 +61,6 @@ private:
 /// Largest dt for which no particle moves by more than its tolerance along an axis [s]:
 /// |v| dt + a dt^2 / 2 <= epsilon (physics reference 2.4, conservative in the signs).
 /// \param tolerance [1] epsilon over the radius
-double kinematic_limit(const ParticleState& particles, const Vec3& gravity, double tolerance);
+double kinematic_limit(const ParticleState& particles, const BodyForces& body, double tolerance);
 
 }  // namespace grainbench

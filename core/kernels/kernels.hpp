@@ -29,6 +29,7 @@ struct MotionPass {
     double frame[4];         ///< [m/s] velocity relative to which travel is measured
     double kick;             ///< [s] half the old plus half the new step
     double drift;            ///< [s] new step
+    double local_damping;    ///< [1] coefficient; read by move_damped alone
     bool few_are_loaded;     ///< worth looking at `loaded` before touching forces
     std::size_t first;       ///< row of this part, a multiple of 8
     std::size_t last;        ///< row after it, a multiple of 8 or the count of particles
@@ -230,6 +231,7 @@ struct WallStepPass {
 struct Kernels {
     std::string_view isa;
     void (*move)(MotionPass&);
+    void (*move_damped)(MotionPass&);
     void (*measure_travel)(TravelPass&);
 
     void (*search_cells)(CellSearch&);

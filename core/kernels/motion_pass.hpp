@@ -39,57 +39,85 @@ void for_each_loaded(const ParticleView& p, std::size_t begin, std::size_t end, 
     }
 }
 
-/// Two running sums whatever the vector length keep the bits the same on every instruction set.
-/// Forces and gravity kick one after the other, so that particles without loads may skip the first.
-inline void move(MotionPass& pass) {
+/// Moves the particles of a pass by velocities velocity_of(row), and measures them. Two running
+/// sums whatever the vector length keep the bits the same on every instruction set.
+template <class VelocityOf>
+void drift(MotionPass& pass, const VelocityOf& velocity_of) {
     const ParticleView& p = pass.particles;
-    const Packet kick(pass.kick);
     const Packet zero(0.0);
-    const double drift_components[4] = {pass.drift, pass.drift, pass.drift, 0.0};
+    alignas(32) const double drift_components[4] = {pass.drift, pass.drift, pass.drift, 0.0};
     alignas(32) double components[4];
-    const auto packet = [&](const double(&from)[4]) {
-        std::memcpy(components, from, sizeof components);
-        return Packet(components);
-    };
-    const Packet drift = packet(drift_components);
-    const Packet frame = packet(pass.frame);
-    const Packet fall = packet(pass.gravity) * kick;
-    if (pass.few_are_loaded) {
-        for_each_loaded(p, pass.first, pass.last, [&](std::size_t row) {
-            kick_by_loads(p, row, kick).store(p.velocity + 4 * row);
-        });
-    } else {
-        std::memset(p.loaded + pass.first, 0, pass.last - pass.first);
-    }
+    std::memcpy(components, pass.frame, sizeof components);
+    const Packet way(drift_components);
+    const Packet frame(components);
     Packet sum[2] = {zero, zero};
     Packet fastest[2] = {zero, zero};
-    const auto sweep = [&](const auto& velocity_of) {
-        const auto advance = [&](std::size_t row, std::size_t k) {
-            const std::size_t at = 4 * row;
-            const Packet velocity = velocity_of(row) + fall;
-            velocity.store(p.velocity + at);
-            (Packet(p.position + at) + velocity * drift).store(p.position + at);
-            sum[k] = sum[k] + velocity;
-            fastest[k] = larger(absolute(velocity - frame), fastest[k]);
-        };
-        std::size_t row = pass.first;
-        for (; row + 1 < pass.last; row += 2) {
-            advance(row, 0);
-            advance(row + 1, 1);
-        }
-        if (row < pass.last) {
-            advance(row, 0);
-        }
+    const auto advance = [&](std::size_t row, std::size_t k) {
+        const std::size_t at = 4 * row;
+        const Packet velocity = velocity_of(row);
+        velocity.store(p.velocity + at);
+        (Packet(p.position + at) + velocity * way).store(p.position + at);
+        sum[k] = sum[k] + velocity;
+        fastest[k] = larger(absolute(velocity - frame), fastest[k]);
     };
-    if (pass.few_are_loaded) {
-        sweep([&](std::size_t row) { return Packet(p.velocity + 4 * row); });
-    } else {
-        sweep([&](std::size_t row) { return kick_by_loads(p, row, kick); });
+    std::size_t row = pass.first;
+    for (; row + 1 < pass.last; row += 2) {
+        advance(row, 0);
+        advance(row + 1, 1);
+    }
+    if (row < pass.last) {
+        advance(row, 0);
     }
     larger(fastest[0], fastest[1]).store(components);
     std::memcpy(pass.fastest, components, sizeof components);
     (sum[0] + sum[1]).store(components);
     std::memcpy(pass.velocity_sum, components, sizeof components);
+}
+
+inline Packet gravity_of(const MotionPass& pass) {
+    alignas(32) double components[4];
+    std::memcpy(components, pass.gravity, sizeof components);
+    return Packet(components);
+}
+
+/// Forces and gravity kick one after the other, so that particles without loads may skip the first.
+inline void move(MotionPass& pass) {
+    const ParticleView& p = pass.particles;
+    const Packet kick(pass.kick);
+    const Packet fall = gravity_of(pass) * kick;
+    if (pass.few_are_loaded) {
+        for_each_loaded(p, pass.first, pass.last, [&](std::size_t row) {
+            kick_by_loads(p, row, kick).store(p.velocity + 4 * row);
+        });
+        drift(pass, [&](std::size_t row) { return Packet(p.velocity + 4 * row) + fall; });
+    } else {
+        std::memset(p.loaded + pass.first, 0, pass.last - pass.first);
+        drift(pass, [&](std::size_t row) { return kick_by_loads(p, row, kick) + fall; });
+    }
+}
+
+/// As move(), under local damping (core/body/laws/local_damping.hpp, (1)).
+inline void move_damped(MotionPass& pass) {
+    const ParticleView& p = pass.particles;
+    const Packet kick(pass.kick);
+    const Packet zero(0.0);
+    const Packet gravity = gravity_of(pass);
+    const Packet coefficient(pass.local_damping);
+    const auto kicked = [&](const Packet& velocity, const Packet& acceleration) {
+        const Packet lost = opposed(coefficient * absolute(acceleration), velocity);
+        return velocity + with_fourth((acceleration + lost) * kick, zero);
+    };
+    std::memset(p.loaded + pass.first, 0, pass.last - pass.first);
+    drift(pass, [&](std::size_t row) {
+        const std::size_t at = 4 * row;
+        const Packet torque(p.torque + at);
+        kicked(Packet(p.spin + at), torque * torque.fourth()).store(p.spin + at);
+        const Packet velocity(p.velocity + at);
+        const Packet result = kicked(velocity, Packet(p.force + at) * velocity.fourth() + gravity);
+        zero.store(p.force + at);
+        with_fourth(zero, torque).store(p.torque + at);
+        return result;
+    });
 }
 
 inline void measure_travel(TravelPass& pass) {

@@ -9,13 +9,15 @@ void PairList::load(const Archive& archive,
                     const std::string& i_name,
                     const std::string& j_name,
                     std::size_t i_end,
-                    std::size_t j_end) {
+                    std::size_t j_end,
+                    const RowOwners& owner) {
     const auto& i_column = archive.get<Index>(i_name);
     const auto& j_column = archive.get<Index>(j_name, i_column.size());
     for (std::size_t k = 0; k < i_column.size(); ++k) {
-        const bool is_ordered = k == 0 || std::pair(i_column[k - 1], j_column[k - 1]) <
-                                              std::pair(i_column[k], j_column[k]);
-        Archive::require(is_ordered && i_column[k] < i_end && j_column[k] < j_end, i_name);
+        Archive::require(i_column[k] < i_end && j_column[k] < j_end, i_name);
+        const bool is_ordered = k == 0 || std::pair(i_column[k - 1], owner(j_column[k - 1])) <
+                                              std::pair(i_column[k], owner(j_column[k]));
+        Archive::require(is_ordered, i_name);
     }
     i.assign(i_column.begin(), i_column.end());
     j.assign(j_column.begin(), j_column.end());
@@ -24,7 +26,7 @@ void PairList::load(const Archive& archive,
 }
 
 void CandidateFinder::sort_into_cells(const ParticleState& particles, double edge) {
-    const Index n = particles.size();
+    const Index n = particles.row_count();
     Vec3 low = particles.position(0);
     Vec3 high = low;
     for (Index s = 1; s < n; ++s) {
@@ -74,12 +76,12 @@ void CandidateFinder::sort_into_cells(const ParticleState& particles, double edg
     }
 }
 
-void CandidateFinder::order_pairs(Index particle_count, std::size_t found, PairList& pairs) {
-    row_start_.assign(static_cast<std::size_t>(particle_count) + 1, 0);
+void CandidateFinder::order_pairs(Index row_count, std::size_t found, PairList& pairs) {
+    row_start_.assign(static_cast<std::size_t>(row_count) + 1, 0);
     for (std::size_t k = 0; k < found; ++k) {
         ++row_start_[found_i_[k] + 1];
     }
-    for (Index s = 0; s < particle_count; ++s) {
+    for (Index s = 0; s < row_count; ++s) {
         row_start_[s + 1] += row_start_[s];
     }
     pairs.count = static_cast<Index>(found);
@@ -103,13 +105,13 @@ void CandidateFinder::find(const ParticleState& particles,
                            const Kernels& kernels,
                            PairList& pairs) {
     CellSearch search{};
-    if (particles.size() > 1) {
+    if (particles.row_count() > 1) {
         sort_into_cells(particles, 2.0 * scale * particles.smallest_radius() + extra);
         search = {.grid = grid_,
                   .packet = packet_.data(),
                   .slot = slot_.data(),
                   .cell_start = cell_start_.data(),
-                  .count = particles.size(),
+                  .count = particles.row_count(),
                   .smallest_radius = particles.smallest_radius(),
                   .scale = scale,
                   .extra = extra,
@@ -125,7 +127,7 @@ void CandidateFinder::find(const ParticleState& particles,
             search.capacity *= search.next < search.count ? 2 : 1;
         }
     }
-    order_pairs(particles.size(), search.found, pairs);
+    order_pairs(particles.row_count(), search.found, pairs);
     release_work_space();
 }
 

@@ -9,6 +9,24 @@
 
 namespace grainbench {
 
+/// The particle that a row is, or is an image of; every row is its own where there are no images.
+class RowOwners {
+public:
+    RowOwners() = default;
+
+    explicit RowOwners(const ParticleState& particles)
+        : particles_(particles.has_images() ? &particles : nullptr) {}
+
+    Index operator()(Index row) const {
+        return particles_ == nullptr ? row : particles_->owner(row);
+    }
+
+    bool are_trivial() const { return particles_ == nullptr; }
+
+private:
+    const ParticleState* particles_ = nullptr;
+};
+
 /// Pairs in two columns, readable up to the next multiple of 64 past `count` (the padding pairs
 /// particle 0 with itself and is never used).
 struct PairList {
@@ -28,18 +46,36 @@ struct PairList {
         ++count;
     }
 
+    /// Leaves out the pairs for which goes(i, j).
+    template <class Goes>
+    void remove_if(const Goes& goes) {
+        Index stay = 0;
+        for (Index k = 0; k < count; ++k) {
+            if (!goes(i[k], j[k])) {
+                i[stay] = i[k];
+                j[stay++] = j[k];
+            }
+        }
+        i.resize(stay);
+        j.resize(stay);
+        count = stay;
+        pad();
+    }
+
     /// Call once after the last append.
     void pad() {
         i.resize((static_cast<std::size_t>(count) + 63) / 64 * 64, 0);
         j.resize(i.size(), 0);
     }
 
-    /// Takes over the columns of those names; every i must be below i_end, and every j below j_end.
+    /// Takes over the columns of those names; every i must be below i_end, and every j below j_end,
+    /// and pairs ascend by (i, owner of j).
     void load(const Archive& archive,
               const std::string& i_name,
               const std::string& j_name,
               std::size_t i_end,
-              std::size_t j_end);
+              std::size_t j_end,
+              const RowOwners& owner = {});
 
     /// One bit per pair fills so many words.
     std::size_t words() const { return i.size() / 64; }
@@ -58,7 +94,7 @@ public:
 
 private:
     void sort_into_cells(const ParticleState& particles, double edge);
-    void order_pairs(Index particle_count, std::size_t found, PairList& pairs);
+    void order_pairs(Index row_count, std::size_t found, PairList& pairs);
     void release_work_space();
 
     CellGrid grid_{};

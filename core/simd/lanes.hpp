@@ -221,6 +221,15 @@ public:
         return with(a, a, [](auto x, auto) { return hn::Abs(x); });
     }
 
+    /// Sizes, which are not negative, with the signs opposite to those of b; 0 where b is 0.
+    friend Packet opposed(const Packet& sizes, const Packet& b) {
+        return with(sizes, b, [](auto x, auto y) {
+            const auto zero = hn::Zero(Part());
+            return hn::IfThenElse(
+                hn::Lt(zero, y), hn::Neg(x), hn::IfThenElseZero(hn::Lt(y, zero), x));
+        });
+    }
+
     /// The fourth component in all four places.
     Packet fourth() const {
 #if HWY_TARGET == HWY_SCALAR

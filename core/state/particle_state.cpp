@@ -64,6 +64,10 @@ void put_packet(Column<double>& column, Index slot, const Vec3& v, double fourth
     p[3] = fourth;
 }
 
+double inverse_inertia_of(double mass, double radius) {
+    return 1.0 / (0.4 * mass * radius * radius);
+}
+
 std::vector<double> plain(const Column<double>& column) {
     return {column.begin(), column.end()};
 }
@@ -120,7 +124,7 @@ void ParticleState::put(Index slot, const Sphere& sphere, std::int64_t id) {
     put_packet(position_, slot, sphere.position, r);
     put_packet(velocity_, slot, sphere.velocity, 1.0 / mass);
     put_packet(spin_, slot, sphere.angular_velocity, static_cast<double>(sphere.species));
-    put_packet(torque_, slot, {}, 1.0 / (0.4 * mass * r * r));
+    put_packet(torque_, slot, {}, inverse_inertia_of(mass, r));
     mass_[slot] = mass;
     species_[slot] = sphere.species;
     id_[slot] = id;
@@ -135,6 +139,7 @@ void ParticleState::order_by_id() {
 }
 
 void ParticleState::change_population(const PopulationChange& change) {
+    set_images({});
     Index stay = 0;
     for (Index slot = 0; slot < size_; ++slot) {
         const Index after = change.slot_after[slot];
@@ -149,11 +154,20 @@ void ParticleState::change_population(const PopulationChange& change) {
         mass_[after] = mass_[slot];
         species_[after] = species_[slot];
         id_[after] = id_[slot];
+        if (!wraps_.empty()) {
+            std::copy_n(wraps_.begin() + 3 * std::ptrdiff_t{slot},
+                        3,
+                        wraps_.begin() + 3 * std::ptrdiff_t{after});
+        }
         ++stay;
     }
     const bool was_one_slab = slab_count() <= 1;
     resize(stay);
     resize(stay + static_cast<Index>(change.newcomers.size()));
+    if (box_.is_periodic()) {
+        wraps_.resize(3 * std::size_t{stay});
+        wraps_.resize(3 * std::size_t{size_}, 0.0);
+    }
     for (Index slot = stay; slot < size_; ++slot) {
         put(slot, change.newcomers[slot - stay], ++last_id_);
     }
@@ -174,7 +188,84 @@ ParticleView ParticleState::view() {
             loaded_.size()};
 }
 
+void ParticleState::set_driven(Index slot, bool driven) {
+    const double r = radius(slot);
+    const double mass = mass_[slot];
+    velocity_[4 * std::size_t{slot} + 3] = driven ? 0.0 : 1.0 / mass;
+    torque_[4 * std::size_t{slot} + 3] = driven ? 0.0 : inverse_inertia_of(mass, r);
+    has_driven_ = has_driven_ || driven;
+}
+
+void ParticleState::make_periodic(const PeriodicBox& box) {
+    box_ = box;
+    wraps_.assign(3 * std::size_t{size_}, 0.0);
+}
+
+/// Rows of the old images are overwritten; new ones hold no loads.
+void ParticleState::set_images(std::vector<Image> images) {
+    images_ = std::move(images);
+    const std::size_t rows = row_count();
+    const std::size_t padded = (rows + 7) / 8 * 8;
+    for (Column<double>* column : {&position_, &velocity_, &spin_, &force_, &torque_}) {
+        column->resize(4 * std::size_t{size_});
+        column->resize(4 * padded, 0.0);
+    }
+    loaded_.resize(size_);
+    loaded_.resize(padded, 0);
+}
+
+void ParticleState::renew_images(double margin) {
+    std::vector<Image> images;
+    std::vector<Vec3> shifts;
+    for (Index slot = 0; slot < size_; ++slot) {
+        const auto periods = box_.periods_from(position(slot));
+        if (periods != std::array<double, 3>{}) {
+            set_position(slot, position(slot) - box_.way(periods));
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                wraps_[3 * std::size_t{slot} + axis] += periods[axis];
+            }
+        }
+        shifts.clear();
+        box_.collect_shifts(position(slot), margin, shifts);
+        for (const Vec3& shift : shifts) {
+            images.push_back({.owner = slot, .shift = shift});
+        }
+    }
+    set_images(std::move(images));
+    move_images();
+}
+
+void ParticleState::move_images() {
+    for (Index row = size_; row < row_count(); ++row) {
+        const Image& image = images_[row - size_];
+        const std::size_t from = 4 * std::size_t{image.owner};
+        const std::size_t to = 4 * std::size_t{row};
+        std::copy_n(velocity_.data() + from, 4, velocity_.data() + to);
+        std::copy_n(spin_.data() + from, 4, spin_.data() + to);
+        put_packet(position_, row, position(image.owner) + image.shift, radius(image.owner));
+        torque_[to + 3] = torque_[from + 3];
+    }
+}
+
+void ParticleState::fold_images() {
+    for (Index row = size_; row < row_count(); ++row) {
+        if (loaded_[row] == 0) {
+            continue;
+        }
+        const Index owner = images_[row - size_].owner;
+        set_vector(force_, owner, force(owner) + force(row));
+        set_vector(torque_, owner, torque(owner) + torque(row));
+        set_vector(force_, row, {});
+        set_vector(torque_, row, {});
+        loaded_[owner] = 1;
+        loaded_[row] = 0;
+    }
+}
+
 void ParticleState::scale_inertia(Index slot, double factor) {
+    if (is_driven(slot)) {
+        return;
+    }
     const double old = inverse_mass(slot);
     const double inverse = 1.0 / (factor * mass_[slot]);
     const double r = radius(slot);
@@ -212,8 +303,31 @@ void ParticleState::save(Archive& archive) const {
     archive.put("particles/loaded", std::vector<std::uint8_t>(loaded_.begin(), loaded_.end()));
     archive.put("particles/id", std::vector<std::uint64_t>(id_.begin(), id_.end()));
     archive.put("particles/species", species_);
+    if (box_.is_periodic()) {
+        std::vector<Index> owners;
+        std::vector<double> shifts;
+        for (const Image& image : images_) {
+            owners.push_back(image.owner);
+            shifts.insert(shifts.end(), {image.shift.x, image.shift.y, image.shift.z});
+        }
+        archive.put("particles/image_owner", owners);
+        archive.put("particles/image_shift", shifts);
+        archive.put("particles/wraps", wraps_);
+    }
     archive.put("particles/counts",
                 std::vector<std::uint64_t>{slab_size_, static_cast<std::uint64_t>(last_id_)});
+}
+
+void ParticleState::load_images(const Archive& archive) {
+    const auto& owners = archive.get<Index>("particles/image_owner");
+    const auto& shifts = archive.get<double>("particles/image_shift", 3 * owners.size());
+    std::vector<Image> images;
+    for (std::size_t k = 0; k < owners.size(); ++k) {
+        Archive::require(owners[k] < size_, "particles/image_owner");
+        images.push_back({owners[k], {shifts[3 * k], shifts[3 * k + 1], shifts[3 * k + 2]}});
+    }
+    set_images(std::move(images));
+    wraps_ = archive.get<double>("particles/wraps", 3 * std::size_t{size_});
 }
 
 void ParticleState::load(const Archive& archive, bool may_differ) {
@@ -231,6 +345,9 @@ void ParticleState::load(const Archive& archive, bool may_differ) {
                          .likely_cause = "the scene has changed since it was written",
                          .next_step = "run the scene again without --resume"});
     }
+    if (box_.is_periodic()) {
+        load_images(archive);
+    }
     restore(position_, archive, "particles/position");
     restore(velocity_, archive, "particles/velocity");
     restore(spin_, archive, "particles/spin");
@@ -242,6 +359,7 @@ void ParticleState::load(const Archive& archive, bool may_differ) {
         mass_[slot] = sphere_mass(density_[species[slot]], radius(slot));
         species_[slot] = species[slot];
         id_[slot] = static_cast<std::int64_t>(id[slot]);
+        has_driven_ = has_driven_ || is_driven(slot);
     }
     order_by_id();
     const bool ids_fit =

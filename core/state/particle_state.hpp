@@ -8,6 +8,7 @@
 #include "core/kernels/kernels.hpp"
 #include "core/scene.hpp"
 #include "core/state/aligned.hpp"
+#include "core/state/periodic_box.hpp"
 #include "core/state/population.hpp"
 
 #include <span>
@@ -75,6 +76,51 @@ public:
     /// Lets particles go and others come.
     void change_population(const PopulationChange& change);
 
+    /// Whether no load moves a particle (core/body/driven_groups.hpp).
+    bool is_driven(Index slot) const { return inverse_mass(slot) == 0.0; }
+
+    /// Whether any particle is, or was, driven.
+    bool has_driven() const { return has_driven_; }
+
+    void set_driven(Index slot, bool driven);
+
+    void set_position(Index slot, const Vec3& position) { set_vector(position_, slot, position); }
+
+    void set_velocity(Index slot, const Vec3& velocity) { set_vector(velocity_, slot, velocity); }
+
+    void set_spin(Index slot, const Vec3& spin) { set_vector(spin_, slot, spin); }
+
+    /// Rows with particles or images of particles beyond periodic boundaries; images come last.
+    Index row_count() const { return size_ + static_cast<Index>(images_.size()); }
+
+    bool has_images() const { return !images_.empty(); }
+
+    /// The particle that a row is, or is an image of.
+    Index owner(Index row) const { return row < size_ ? row : images_[row - size_].owner; }
+
+    /// Lets the scene repeat itself. Call it before anything else.
+    void make_periodic(const PeriodicBox& box);
+
+    const PeriodicBox& box() const { return box_; }
+
+    /// Puts all particles into the periodic box and makes the images of those that are within
+    /// `margin` [m] of its ends.
+    void renew_images(double margin);
+
+    /// Lets images follow their owners.
+    void move_images();
+
+    /// Hands forces and torques of images to their owners.
+    void fold_images();
+
+    /// As if the particle had never been put back into the periodic box [m].
+    Vec3 unwrapped(Index slot) const {
+        return !box_.is_periodic() ? position(slot)
+                                   : position(slot) + box_.way({wraps_[3 * std::size_t{slot}],
+                                                                wraps_[3 * std::size_t{slot} + 1],
+                                                                wraps_[3 * std::size_t{slot} + 2]});
+    }
+
     /// Sets the inertial mass to factor * mass and keeps the momentum.
     void scale_inertia(Index slot, double factor);
 
@@ -95,12 +141,25 @@ private:
         return {p[0], p[1], p[2]};
     }
 
+    static void set_vector(Column<double>& packets, Index slot, const Vec3& v) {
+        double* p = packets.data() + 4 * static_cast<std::size_t>(slot);
+        p[0] = v.x;
+        p[1] = v.y;
+        p[2] = v.z;
+    }
+
     void put(Index slot, const Sphere& sphere, std::int64_t id);
     void resize(Index size);
+    void set_images(std::vector<Image> images);
+    void load_images(const Archive& archive);
     void order_by_id();
 
     Index size_ = 0;
     Index slab_size_ = 64;
+    bool has_driven_ = false;
+    PeriodicBox box_;
+    std::vector<Image> images_;
+    std::vector<double> wraps_;  ///< [1] by slot and axis: periods put back; empty if not periodic
     double smallest_radius_ = 0.0;
     double largest_radius_ = 0.0;
     Column<double> position_, velocity_, spin_, force_, torque_;

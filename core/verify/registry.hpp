@@ -23,6 +23,7 @@ std::vector<Case> detection_cases();
 std::vector<Case> surface_cases();
 std::vector<Case> motion_cases();
 std::vector<Case> energy_cases();
+std::vector<Case> body_cases();
 std::vector<Case> chung_ooi_cases();
 std::vector<Case> effect_cases();
 

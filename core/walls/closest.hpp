@@ -35,13 +35,17 @@ struct Triangle {
     std::array<Index, 3> edge;                  ///< edge k lies on side k
 };
 
-/// Flat round plate (finite radius) or plane (infinite radius). The rim is an edge.
+/// Flat round plate (finite radius) or plane (infinite radius), with or without a hole. Rims are
+/// edges.
 struct Plate {
     Vec3 centre;
     Vec3 normal;    ///< [1]
     double offset;  ///< [m] of the plane: normal . centre
     double radius;
     Index rim;
+    double hole = 0.0;  ///< [m] radius
+    Vec3 any_radial{};  ///< [1] used for centres on the axis of a hole
+    Index hole_rim = no_feature;
 };
 
 /// Round shell between base and base + height * axis.
@@ -86,7 +90,7 @@ inline bool has_feature(const Triangle& t, Feature feature, Index id) {
 }
 
 inline bool has_feature(const Plate& plate, Feature feature, Index id) {
-    return feature == Feature::edge && plate.rim == id;
+    return feature == Feature::edge && (plate.rim == id || plate.hole_rim == id);
 }
 
 inline bool has_feature(const Shell& shell, Feature feature, Index id) {
@@ -161,7 +165,7 @@ inline bool closest_within(const Plate& plate, const Vec3& centre, double reach,
     }
     const Vec3 radial = from - height * plate.normal;
     const double squared = dot(radial, radial);
-    if (squared <= plate.radius * plate.radius) {
+    if (squared <= plate.radius * plate.radius && squared >= plate.hole * plate.hole) {
         out.point = centre - height * plate.normal;
         out.normal = detail::towards_face(plate.normal, height);
         out.distance = std::abs(height);
@@ -169,9 +173,11 @@ inline bool closest_within(const Plate& plate, const Vec3& centre, double reach,
         out.id = no_feature;
         return true;
     }
+    const bool in_hole = squared < plate.hole * plate.hole;
     out.feature = Feature::edge;
-    out.id = plate.rim;
-    const Vec3 rim = (plate.radius / std::sqrt(squared)) * radial;
+    out.id = in_hole ? plate.hole_rim : plate.rim;
+    const Vec3 outward = squared > 0.0 ? (1.0 / std::sqrt(squared)) * radial : plate.any_radial;
+    const Vec3 rim = (in_hole ? plate.hole : plate.radius) * outward;
     return detail::set_rim(centre, rim - from, reach, plate.normal, out);
 }
 

@@ -13,7 +13,11 @@ namespace grainbench {
 namespace {
 
 Plate make_plate(const Vec3& centre, const Vec3& normal, double radius, Index rim) {
-    return {centre, normal, dot(normal, centre), radius, rim};
+    return {.centre = centre,
+            .normal = normal,
+            .offset = dot(normal, centre),
+            .radius = radius,
+            .rim = rim};
 }
 
 constexpr Index base_rim = 0;
@@ -58,7 +62,13 @@ std::vector<RoundPatch> round_patches(const Plane& plane) {
 }
 
 std::vector<RoundPatch> round_patches(const Disc& disc) {
-    return {make_plate(disc.centre, disc.normal, disc.radius, base_rim)};
+    Plate plate = make_plate(disc.centre, disc.normal, disc.radius, base_rim);
+    if (disc.hole > 0.0) {
+        plate.hole = disc.hole;
+        plate.any_radial = frame_about(disc.normal).u;
+        plate.hole_rim = top_rim;
+    }
+    return {plate};
 }
 
 std::vector<RoundPatch> round_patches(const Cylinder& c) {
@@ -91,6 +101,14 @@ WallSurface round_outline(const Plane& plane) {
 WallSurface round_outline(const Disc& disc) {
     WallSurface outline;
     add_circle(outline, disc.centre, disc.normal, disc.radius);
+    if (disc.hole > 0.0) {
+        add_circle(outline, disc.centre, disc.normal, disc.hole);
+        for (Index k = 0; k < drawn_corners; ++k) {
+            const Index next = (k + 1) % drawn_corners;
+            outline.polygons.push_back({k, next, drawn_corners + next, drawn_corners + k});
+        }
+        return outline;
+    }
     outline.polygons.emplace_back(drawn_corners);
     std::iota(outline.polygons[0].begin(), outline.polygons[0].end(), Index{0});
     return outline;

@@ -30,18 +30,20 @@ struct Plane {
     }
 };
 
-/// Flat round plate without thickness.
+/// Flat round plate without thickness, with a round hole in its middle if asked.
 struct Disc {
     static constexpr std::string_view key = "disc";
     Vec3 centre{};
     Vec3 normal{0.0, 0.0, 1.0};
     double radius = 1.0;
+    double hole = 0.0;
 
     static constexpr auto fields() {
         return std::tuple{
             required(&Disc::centre, "centre", "m", any_number(), "centre"),
             required(&Disc::normal, "normal", "1", any_number(), "normal, of any length but 0"),
-            required(&Disc::radius, "radius", "m", positive(), "radius")};
+            required(&Disc::radius, "radius", "m", positive(), "radius"),
+            field(&Disc::hole, "hole", "m", at_least(0.0), "radius of the hole; 0 = none")};
     }
 };
 

@@ -68,6 +68,7 @@ Plane checked(Plane plane, const std::string& where) {
 Disc checked(Disc disc, const std::string& where) {
     check_point(disc.centre, where + "/shape/centre");
     check_length(disc.radius, where + "/shape/radius");
+    check_length(disc.radius - disc.hole, where + "/shape/hole");
     disc.normal = unit_direction(disc.normal, where + "/shape/normal");
     return disc;
 }

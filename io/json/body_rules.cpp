@@ -233,7 +233,16 @@ void check_shape(const WallShape& shape, const std::string& at, Problems& proble
     std::visit(
         Overloaded{
             [&](const Plane& s) { check_direction(s.normal, at + "/normal", problems); },
-            [&](const Disc& s) { check_direction(s.normal, at + "/normal", problems); },
+            [&](const Disc& s) {
+                check_direction(s.normal, at + "/normal", problems);
+                if (!(s.hole < s.radius)) {
+                    add(problems,
+                        at + "/hole",
+                        fmt::format("the hole's radius, {} m, is not below the disc's", s.hole),
+                        "nothing would be left of the disc",
+                        "give a smaller hole");
+                }
+            },
             [&](const BoxShape& s) { check_box(s.low, s.high, at, problems); },
             [&](const Cylinder& s) { check_direction(s.axis, at + "/axis", problems); },
             [&](const FacetedCylinder& s) { check_direction(s.axis, at + "/axis", problems); },
@@ -348,7 +357,34 @@ void check_motion(const WallMotion& motion, const std::string& pointer, Problems
                motion);
 }
 
+void check_periodic(const Scene& scene, Problems& problems) {
+    const Periodic& periodic = *scene.periodic;
+    const std::pair<const std::optional<Interval>&, const char*> intervals[] = {
+        {periodic.x, "x"}, {periodic.y, "y"}, {periodic.z, "z"}};
+    bool any = false;
+    for (const auto& [interval, axis] : intervals) {
+        any = any || interval;
+        if (interval && !(interval->low < interval->high)) {
+            add(problems,
+                fmt::format("/periodic/{}/high", axis),
+                fmt::format("{} m is not above 'low', {} m", interval->high, interval->low),
+                "the ends are swapped",
+                "give low < high");
+        }
+    }
+    if (!any) {
+        add(problems,
+            "/periodic",
+            "no direction",
+            "the object is empty",
+            "give an interval such as \"x\": {\"low\": 0, \"high\": 0.1}, or leave 'periodic' out");
+    }
+}
+
 void check_bodies(const Scene& scene, Problems& problems) {
+    if (scene.periodic) {
+        check_periodic(scene, problems);
+    }
     const Particles& particles = scene.particles;
     const auto species = names_of(particles.species);
     check_unique_names(species, "/particles/species", problems);

@@ -312,6 +312,61 @@ void check_observables(const Scene& scene, Problems& problems) {
     }
 }
 
+void check_driven(const Scene& scene,
+                  const std::vector<DrivenGroup>& driven,
+                  const std::string& pointer,
+                  Problems& problems) {
+    std::set<std::string_view> seen;
+    for (std::size_t i = 0; i < driven.size(); ++i) {
+        const std::string at = fmt::format("{}/{}", pointer, i);
+        const std::string& name = driven[i].group;
+        check_known(name, names_of(scene.groups), "group", at + "/group", problems);
+        check_motion(driven[i].motion, at + "/motion", problems);
+        if (!seen.insert(name).second) {
+            add(problems,
+                at + "/group",
+                fmt::format("a second motion for '{}'", name),
+                "an entry was copied and not renamed",
+                "keep one motion for each group");
+        }
+        const auto walls = names_of(scene.walls);
+        if (std::find(walls.begin(), walls.end(), name) != walls.end()) {
+            add(problems,
+                at + "/group",
+                fmt::format("'{}' is also the name of a wall", name),
+                "forces on both would have one name in the history",
+                "rename the group or the wall");
+        }
+    }
+}
+
+/// Only what is driven can be released.
+void check_all_driven(const Scene& scene, Problems& problems) {
+    std::set<std::string_view> driven;
+    const auto add_names = [&](const std::vector<DrivenGroup>& groups) {
+        for (const DrivenGroup& group : groups) {
+            driven.insert(group.group);
+        }
+    };
+    check_driven(scene, scene.driven, "/driven", problems);
+    add_names(scene.driven);
+    for (std::size_t s = 0; s < scene.stages.size(); ++s) {
+        const Stage& stage = scene.stages[s];
+        const std::string at = fmt::format("/stages/{}", s);
+        for (std::size_t r = 0; r < stage.released.size(); ++r) {
+            if (driven.erase(stage.released[r]) == 0) {
+                add(problems,
+                    fmt::format("{}/released/{}", at, r),
+                    fmt::format("the group '{}' is not driven", stage.released[r]),
+                    "it was released before, or the name is misspelt",
+                    "name a group that is driven up to this stage");
+            }
+        }
+        check_driven(scene, stage.driven, at + "/driven", problems);
+        add_names(stage.driven);
+    }
+}
+
 void check_stage(const Scene& scene,
                  const Stage& stage,
                  const std::string& at,
@@ -415,6 +470,7 @@ void check_procedure(const Scene& scene, Problems& problems) {
         check_stage(scene, scene.stages[i], fmt::format("/stages/{}", i), problems);
     }
     check_groups(scene, problems);
+    check_all_driven(scene, problems);
     if (scene.layers) {
         check_layers(*scene.layers, problems);
     }

@@ -76,6 +76,13 @@ TEST(Restart, ContinuesToTheSameBits) {
     expect_same_after_restart(thrown_bed(), {{1401, 0}, {1899, 0}, {2300, 1}, {2450, 1}});
 }
 
+TEST(Restart, ContinuesToTheSameBitsAcrossPeriodicBoundaries) {
+    expect_same_after_restart(carried_bed(), {{2001, 0}, {7777, 0}});
+    Scene scene = with_traffic(carried_bed());
+    scene.particles.sinks[0].box = Box{{0.02, 0.0, 0.009}, {1.0, 1.0, 1.0}};  // off the top
+    expect_same_after_restart(scene, {{5505, 0}, {7777, 0}});
+}
+
 TEST(Restart, ContinuesToTheSameBitsWhereParticlesComeAndGo) {
     // 1409 is the cycle of a look: what changed in it has not been searched for yet.
     expect_same_after_restart(with_traffic(thrown_bed()), {{1401, 0}, {1409, 0}, {2300, 1}});

@@ -141,6 +141,38 @@ Scene thrown_bed() {
     return scene;
 }
 
+Scene carried_bed() {
+    Scene scene;
+    scene.gravity = Vec3{10.0, 0.0, -97.0};
+    scene.periodic = Periodic{.x = Interval{0.0, 0.03}, .y = Interval{0.0, 0.02}, .z = {}};
+    scene.particles.species = {{"small", 0.002, 1500.0}, {"large", 0.003, 2500.0}};
+    scene.particles.insertion = {LatticeInsertion{.species = "small",
+                                                  .origin = {0.003, 0.003, 0.003},
+                                                  .spacing = {0.005, 0.005, 0.005},
+                                                  .counts = {6, 4, 3},
+                                                  .jitter = 0.0004},
+                                 RandomInsertion{.species = "large",
+                                                 .count = 10,
+                                                 .tries = 1000,
+                                                 .box = {{0.0, 0.0, 0.016}, {0.03, 0.02, 0.03}},
+                                                 .inside = {}}};
+    scene.walls = {{.name = "belt",
+                    .shape = Plane{.point = {}, .normal = {0.0, 0.0, 1.0}},
+                    .motion = ConstantMotion{.velocity = {0.5, 0.0, 0.0}},
+                    .material = {}}};
+    scene.contact = full_contact(1e4, 0.3);
+    scene.timestep = FixedTimestep{1e-5};
+    scene.groups = {{.name = "all", .species = {}, .box = {}}};
+    scene.traces = {{.nearest_to = {0.015, 0.01, 0.01}, .species = {}}};
+    scene.observables.energy = EnergyObservable{};
+    scene.output.history_cycles = 37;
+    scene.output.trace_interval = 1e-4;
+    Stage stage;
+    stage.duration = 0.1;
+    scene.stages = {stage};
+    return scene;
+}
+
 Scene with_traffic(Scene scene) {
     scene.particles.sources = {{.name = "inlet",
                                 .species = "small",

@@ -22,6 +22,10 @@ Scene shaken_bed();
 /// timestep scheme; elevation, ledger, wall forces, history and traces are on. Three realisations.
 Scene thrown_bed();
 
+/// A bed that repeats itself along x and y, on a belt that moves along x under a slant gravity;
+/// history and traces are on. Fixed step.
+Scene carried_bed();
+
 /// A scene into which spheres come and from which they go: a source on top, a sink in a corner.
 Scene with_traffic(Scene scene);
 

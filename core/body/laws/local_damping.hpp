@@ -1,4 +1,4 @@
-/// Damping of every particle against its own motion, for states of rest that are to be reached soon.
+/// Damping of every particle against its own motion, for states of rest that are to come soon.
 ///
 /// Model    F_d = -alpha |F| sign(v), component by component, and alike for moments       (1)
 /// Source   Cundall 1987; PFC documentation, local damping (physics reference 3.3).

@@ -66,7 +66,8 @@ private:
     std::size_t look(std::uint64_t cycle) {
         const Pairs known_before = pairs_of(contacts_.objects());
         const Kernels& kernels = kernels_for("");
-        contacts_.update(cycle, particles_, frame_, kernels);
+        const Renewal due = contacts_.due(cycle, particles_, frame_, kernels);
+        contacts_.renew(due, cycle, particles_, frame_, kernels);
         contacts_.find_touching(particles_, 0.0, kernels);
         contacts_.add_forces(particles_, table_, timestep, true, kernels);
         const Pairs touching = touching_pairs();

@@ -113,6 +113,19 @@ TEST(Disc, HasAFaceAndARim) {
     EXPECT_NEAR(disc.extent_from({1, 0, 3}), std::sqrt(13.0), round_off(4, 4.0));
 }
 
+TEST(Disc, LetsThroughWhatFitsInItsHole) {
+    const Surface disc =
+        surface_of(Disc{.centre = {1, 0, 0}, .normal = {0, 0, 1}, .radius = 5.0, .hole = 3.0});
+    EXPECT_TRUE(hits_of(disc, {1, 0, 0}, 2.9).empty());
+    EXPECT_EQ(hits_of(disc, {1, 4, 0.5}, 1.0).at(0).point, (Vec3{1, 4, 0}));
+    const WallHit rim = hits_of(disc, {1, 0, 4}, 5.5).at(0);  // on the axis: one contact, somewhere
+    EXPECT_EQ(rim.feature, Feature::edge);
+    EXPECT_EQ(rim.distance, 5.0);
+    const WallHit side = hits_of(disc, {3, 0, 0}, 1.5).at(0);
+    EXPECT_EQ(side.point, (Vec3{4, 0, 0}));
+    EXPECT_EQ(side.normal, (Vec3{1, 0, 0}));
+}
+
 TEST(Cylinder, AgreesWithFineFacets) {
     const Cylinder round{.base = {0.1, -0.2, 0.3}, .axis = {1, 2, 2}, .radius = 0.5, .height = 0.8};
     // Sagitta of the facets: R (1 - cos(q / 2)) with q = 0.02 is 2.5e-5.
