@@ -45,6 +45,14 @@ constexpr double wall_slack_per_radius = 1.0;
 /// Way of one cycle, over the largest radius, after which no grid could hold the particles [1].
 constexpr double hopeless_travel = 1e6;
 
+/// Particles from which on slots are sorted anew: with fewer, what a step touches stays in the
+/// cache.
+constexpr Index scattered_from = 4096;
+
+/// Growth of the mean distance of slots in contact after which they are sorted anew
+/// (share/doc/performance.md).
+constexpr double scattered_by = 1.5;
+
 /// Cycles after which the stable step looks again at overlaps that grow: a contact takes ten or
 /// more from its first touch to half its depth, which the expected impact covers meanwhile.
 constexpr std::uint64_t cycles_of_stiffening = 16;
@@ -158,6 +166,10 @@ void Engine::make_periodic(const Periodic& periodic, bool is_reference) {
         // The reference engine looks at all images, near or not.
         image_margin_ = is_reference ? std::max(image_margin_, period) : image_margin_;
     }
+}
+
+bool Engine::renumbers() const {
+    return traffic_ || particles_.size() >= scattered_from;
 }
 
 void Engine::begin_stage(const Stage& stage) {
@@ -294,15 +306,21 @@ void Engine::step() {
     if (ledger_) {
         ledger_->end_step(ledger_view(), timestep);
     }
+    population_change_.reset();
     if (traffic_) {
         let_pass();
+    }
+    if (wants_sorting_) {
+        wants_sorting_ = false;
+        if (!population_change_) {  // after which the next search will ask again
+            sort_slots();
+        }
     }
 }
 
 /// Lets sinks and sources act. Contacts of those that stay last; what newcomers may touch is looked
 /// for before the next forces.
 void Engine::let_pass() {
-    population_change_.reset();
     if (!Traffic::is_due(cycle_)) {
         return;
     }
@@ -313,18 +331,41 @@ void Engine::let_pass() {
     if (ledger_) {
         ledger_->begin_exchange(ledger_view(), timestep_);
     }
-    pairs_.forget_images(particles_);
-    particles_.change_population(*population_change_);
-    driven_.change_population(*population_change_);
-    pairs_.change_population(*population_change_, particles_);
-    for (WallContacts& contacts : wall_contacts_) {
-        contacts.change_population(*population_change_, particles_);
-    }
+    renumber(*population_change_);
     measure_bed();
     single_contact_ = StableStep::single_contact_limit(particles_, table_, materials_.count());
     if (ledger_) {
         ledger_->end_exchange(ledger_view(), timestep_);
     }
+}
+
+void Engine::sort_slots() {
+    population_change_ = particles_.spatial_order();
+    renumber(*population_change_);
+    distance_when_sorted_ = 0.0;
+}
+
+void Engine::renumber(const PopulationChange& change) {
+    pairs_.forget_images(particles_);
+    particles_.change_population(change);
+    driven_.change_population(change);
+    pairs_.change_population(change, particles_, table_);
+    for (WallContacts& contacts : wall_contacts_) {
+        contacts.change_population(change, particles_);
+    }
+}
+
+/// Whether particles that are near each other have come to lie so far apart in memory that sorting
+/// pays. Small scenes stay in the cache anyway.
+bool Engine::is_scattered() {
+    if (particles_.size() < scattered_from) {
+        return false;
+    }
+    const double distance = pairs_.mean_slot_distance();
+    if (distance_when_sorted_ == 0.0) {
+        distance_when_sorted_ = distance;
+    }
+    return distance > scattered_by * distance_when_sorted_;
 }
 
 double Engine::choose_timestep() const {
@@ -442,6 +483,7 @@ void Engine::find_contacts() {
         renew_images();
     }
     pairs_.renew(renewal, cycle_, particles_, bed_shift_, *kernels_);
+    wants_sorting_ = renewal == Renewal::candidates && is_scattered();
     enter(Phase::walls);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         renewal = std::min(
@@ -641,7 +683,8 @@ void Engine::save(Archive& archive) const {
                                     fastest_.z,
                                     image_shift_.x,
                                     image_shift_.y,
-                                    image_shift_.z});
+                                    image_shift_.z,
+                                    distance_when_sorted_});
     archive.put("engine/has_records", std::uint64_t{has_records_});
     particles_.save(archive);
     driven_.save(archive);
@@ -661,7 +704,7 @@ void Engine::save(Archive& archive) const {
 
 void Engine::load(const Archive& archive) {
     cycle_ = archive.count("engine/cycle");
-    const auto& numbers = archive.get<double>("engine/numbers", 15);
+    const auto& numbers = archive.get<double>("engine/numbers", 16);
     time_ = numbers[0];
     timestep_ = numbers[1];
     stable_ = numbers[2];
@@ -669,6 +712,7 @@ void Engine::load(const Archive& archive) {
     bed_shift_ = {numbers[6], numbers[7], numbers[8]};
     fastest_ = {numbers[9], numbers[10], numbers[11]};
     image_shift_ = {numbers[12], numbers[13], numbers[14]};
+    distance_when_sorted_ = numbers[15];
     particles_.load(archive, traffic_.has_value());
     driven_.load(archive, particles_);
     pairs_.load(archive, particles_);

@@ -80,7 +80,13 @@ public:
 
     const std::vector<InsertionReport>& insertion_reports() const { return insertion_reports_; }
 
-    /// Who came and went in the last cycle; null if nobody did.
+    /// Whether slots may come to mean other particles than at the start.
+    bool renumbers() const;
+
+    /// Puts slots in spatial order. It happens by itself in large scenes whose particles mix.
+    void sort_slots();
+
+    /// Who came, went or got another slot in the last cycle; null if nobody did.
     const PopulationChange* population_change() const {
         return population_change_ ? &*population_change_ : nullptr;
     }
@@ -131,6 +137,8 @@ private:
     void renew_images();
     void measure_bed();
     void let_pass();
+    void renumber(const PopulationChange& change);
+    bool is_scattered();
     void change_drives(const Stage& stage);
     void change_gravity(const Vec3& next);
     void change_scheme(const Timestep& next);
@@ -174,6 +182,9 @@ private:
     PhaseWatch* phase_watch_ = nullptr;
 
     bool started_ = false;
+    bool wants_sorting_ = false;
+    double distance_when_sorted_ =
+        0.0;  ///< [1] mean slot distance after the last sorting; 0 = unknown
     std::uint64_t cycle_ = 0;
     double time_ = 0.0;
     double timestep_ = 0.0;        ///< of the last cycle; 0 before the first

@@ -190,8 +190,8 @@ void Simulation::Impl::begin_intervals() {
 
 /// Newcomers belong to no layer, and to the first group of their species that has no box.
 void Simulation::Impl::follow(const PopulationChange& change) {
-    groups = renumbered(groups, change, std::int32_t{0});
-    layers = renumbered(layers, change, std::int32_t{0});
+    groups = renumbered(groups, change);
+    layers = renumbered(layers, change);
     const ParticleState& particles = engine.particles();
     for (auto slot = static_cast<Index>(particles.size() - change.newcomers.size());
          slot < particles.size();
@@ -605,7 +605,7 @@ void Simulation::save(Archive& archive) const {
     if (s.elevation) {
         s.elevation->save(archive);
     }
-    if (s.engine.traffic() != nullptr) {
+    if (s.engine.renumbers()) {
         s.save_membership(archive);
     }
     archive.put("time", time());
@@ -633,7 +633,7 @@ void Simulation::load(const Archive& archive) {
     s.engine.load(archive);
     Archive::require(archive.number("time") == time() && archive.count("cycle") == cycle(),
                      "cycle");
-    if (s.engine.traffic() != nullptr) {
+    if (s.engine.renumbers()) {
         s.load_membership(archive);
     }
     s.guards.load(archive);

@@ -72,48 +72,67 @@ void ContactObjects::forget_images(const RowOwners& owner) {
     }
 }
 
-std::vector<Index> ContactObjects::renumber(const PopulationChange& change,
-                                            bool partner_is_particle) {
+Renumbered ContactObjects::renumber(const PopulationChange& change,
+                                    bool partner_is_particle,
+                                    std::span<const std::size_t> turned_columns) {
+    constexpr Index none = PopulationChange::gone;
     std::swap(list_, list_before_);
     std::swap(acting_, acting_before_);
     std::swap(rows_, rows_before_);
-    list_.clear();
-    std::vector<Index> stay;  // by place: place before
+
+    struct Entry {
+        std::uint64_t pair;
+        Index before;
+        bool turned;
+    };
+
+    std::vector<Entry> entries;
     for (Index k = 0; k < list_before_.count; ++k) {
         const Index i = change.slot_after[list_before_.i[k]];
         const Index j =
             partner_is_particle ? change.slot_after[list_before_.j[k]] : list_before_.j[k];
-        if (i != PopulationChange::gone && (!partner_is_particle || j != PopulationChange::gone)) {
-            list_.append(i, j);
-            stay.push_back(k);
+        if (i != none && (!partner_is_particle || j != none)) {
+            const bool turned = partner_is_particle && j < i;
+            entries.push_back({turned ? key(j, i) : key(i, j), k, turned});
         }
+    }
+    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+        return a.pair < b.pair;
+    });
+    std::vector<Index> touching_at(list_before_.count, none);
+    for (Index t = 0; t < touching_count_; ++t) {
+        touching_at[touching_[t].place()] = t;
+    }
+    const Column<TouchingContact> touching_before = touching_;
+    list_.clear();
+    for (const Entry& entry : entries) {
+        list_.append(static_cast<Index>(entry.pair >> 32U), static_cast<Index>(entry.pair));
     }
     list_.pad();
     acting_.assign(list_.words(), 0);
     rows_.assign(stride() * list_.i.size(), 0.0);
+    touching_.resize(list_.i.size());
+    Renumbered result;
     for (Index k = 0; k < list_.count; ++k) {
-        std::copy_n(rows_before_.data() + stride() * stay[k], stride(), row(k));
-        if ((acting_before_[stay[k] / 64] >> (stay[k] % 64) & 1) != 0) {
+        const Entry& entry = entries[k];
+        std::copy_n(rows_before_.data() + stride() * entry.before, stride(), row(k));
+        for (const std::size_t column : turned_columns) {
+            row(k)[column] *= entry.turned ? -1.0 : 1.0;
+        }
+        if ((acting_before_[entry.before / 64] >> (entry.before % 64) & 1) != 0) {
             set_acting(k);
         }
-    }
-    const Column<TouchingContact> touching_before = touching_;
-    std::vector<Index> touching_stay;
-    touching_.resize(list_.i.size());
-    std::size_t count = 0;
-    for (Index t = 0, k = 0; t < touching_count_; ++t) {
-        const TouchingContact contact = touching_before[t];
-        while (k < list_.count && stay[k] < contact.place()) {
-            ++k;
-        }
-        if (k < list_.count && stay[k] == contact.place()) {
-            touching_[count++] = TouchingContact(k, contact.is_new());
-            touching_stay.push_back(t);
+        const Index t = touching_at[entry.before];
+        if (t != none) {
+            touching_[result.touching_before.size()] =
+                TouchingContact(k, touching_before[t].is_new());
+            result.touching_before.push_back(t);
+            result.turned.push_back(entry.turned);
         }
     }
-    touching_count_ = count;
+    touching_count_ = result.touching_before.size();
     forget_before();
-    return touching_stay;
+    return result;
 }
 
 bool ContactObjects::was_listed(Index i, Index j) const {

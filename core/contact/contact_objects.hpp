@@ -14,18 +14,22 @@
 
 namespace grainbench {
 
-/// Keeps, of rows of `width` numbers, those that `stay` names.
+/// Touching contacts after particles got other slots.
+struct Renumbered {
+    std::vector<Index> touching_before;  ///< by touching contact: its place among them before
+    std::vector<bool> turned;            ///< by touching contact: i and j have changed places
+};
+
+/// Takes rows of `width` numbers into the order of `from`.
 template <class Rows>
-void keep_rows(Rows& rows, std::span<const Index> stay, std::size_t width) {
-    if (rows.empty()) {
-        return;
-    }
-    for (std::size_t k = 0; k < stay.size(); ++k) {
-        std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(width * stay[k]),
+void pick_rows(Rows& rows, std::span<const Index> from, std::size_t width) {
+    const Rows before = std::move(rows);
+    rows = Rows(width * from.size());
+    for (std::size_t k = 0; k < from.size(); ++k) {
+        std::copy_n(before.begin() + static_cast<std::ptrdiff_t>(width * from[k]),
                     width,
                     rows.begin() + static_cast<std::ptrdiff_t>(width * k));
     }
-    rows.resize(width * stay.size());
 }
 
 class ContactObjects {
@@ -45,10 +49,12 @@ public:
     /// Images are about to change: pairs name the particles themselves until the next renewal.
     void forget_images(const RowOwners& owner);
 
-    /// Particles have other slots: objects of those that are gone go, the others keep what they
-    /// have. \param partner_is_particle whether the second of a pair is a slot too \return which of
-    /// touching() stay, by their place there before
-    std::vector<Index> renumber(const PopulationChange& change, bool partner_is_particle);
+    /// Particles have other slots: objects of those that are gone go, the others keep all they
+    /// have. The flag says whether the second of a pair is a slot too; the columns are those of the
+    /// history that change sign where i and j change places.
+    Renumbered renumber(const PopulationChange& change,
+                        bool partner_is_particle,
+                        std::span<const std::size_t> turned_columns = {});
 
     /// True if the pair of particles was in the list before the last renewal; nothing is after
     /// forget_before().

@@ -231,6 +231,17 @@ std::vector<int> history_sources(const ContactTable& before, const ContactTable&
     return sources;
 }
 
+std::vector<std::size_t> ContactTable::turned_columns() const {
+    const LawLayout layout = layout_of(choice_);
+    std::vector<std::size_t> columns;
+    for (std::size_t slot = 0; slot < slot_count; ++slot) {
+        for (int h = 0; h < layout.turned_sizes[slot]; ++h) {
+            columns.push_back(static_cast<std::size_t>(layout.first_history[slot] + h));
+        }
+    }
+    return columns;
+}
+
 LawView ContactTable::view(double timestep) const {
     return {values_.data(),
             static_cast<Index>(materials_ * materials_),

@@ -57,6 +57,9 @@ public:
 
     int history_size() const { return layout_of(choice_).history_size; }
 
+    /// Columns of the history that change sign where i and j change places.
+    std::vector<std::size_t> turned_columns() const;
+
     bool has_friction() const { return choice_[friction_slot] != 0; }
 
     bool has_damping() const { return choice_[damping_slot] != 0; }

@@ -6,6 +6,9 @@
 ///         template <class T> struct Values { T a, b; };             // as read per contact
 ///         static constexpr int value_count = 2;
 ///         static constexpr int history_size = 0;                    // doubles per contact
+///         static constexpr int turned_history = 0;                  // of them, first: components
+///         of
+///                                                                   // vectors on j; may be absent
 ///         static constexpr Needs needs = Needs::none;
 ///         static void resolve(const Params&, const MaterialPair&, double* values);
 ///         template <class T>

@@ -94,12 +94,24 @@ namespace detail {
 struct LawSize {
     int value_count = 0;
     int history_size = 0;
+    int turned_history = 0;
     Needs needs = Needs::none;
 };
 
+/// Components of the history that change sign where i and j change places.
+template <class Law>
+constexpr int turned_history_of() {
+    if constexpr (requires { Law::turned_history; }) {
+        return Law::turned_history;
+    } else {
+        return 0;
+    }
+}
+
 template <class... Laws>
 constexpr std::array<LawSize, sizeof...(Laws)> law_sizes(Slot<Laws...>) {
-    return {LawSize{Laws::value_count, Laws::history_size, Laws::needs}...};
+    return {
+        LawSize{Laws::value_count, Laws::history_size, turned_history_of<Laws>(), Laws::needs}...};
 }
 
 template <std::size_t... S>
@@ -140,6 +152,7 @@ struct LawLayout {
     std::array<int, slot_count> first_value{};
     std::array<int, slot_count> first_history{};
     std::array<int, slot_count> history_sizes{};
+    std::array<int, slot_count> turned_sizes{};  ///< of the history, first: vectors on j
     int value_count = 0;
     int history_size = 0;
     Needs needs = Needs::none;
@@ -153,6 +166,7 @@ constexpr LawLayout layout_of(const LawChoice& choice) {
         layout.first_value[s] = layout.value_count;
         layout.first_history[s] = layout.history_size;
         layout.history_sizes[s] = size.history_size;
+        layout.turned_sizes[s] = size.turned_history;
         layout.value_count += size.value_count;
         layout.history_size += size.history_size;
         layout.needs = layout.needs | size.needs;

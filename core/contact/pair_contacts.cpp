@@ -5,6 +5,20 @@
 
 namespace grainbench {
 
+namespace {
+
+/// A record as it would be had i and j changed places.
+void turn_record(double* record) {
+    for (const Index first : {record_damping_x, record_shear_x, record_normal_x, record_moment_x}) {
+        for (Index c = first; c < first + 3; ++c) {
+            record[c] = -record[c];
+        }
+    }
+    std::swap(record[record_lever_i], record[record_lever_j]);
+}
+
+}  // namespace
+
 PairContacts::PairContacts(const SearchSettings& settings, int history_size)
     : clock_(settings), objects_(history_size) {}
 
@@ -46,11 +60,18 @@ double PairContacts::candidate_reach(const ParticleState& particles) const {
     return 2.0 * ((1.0 + settings.tolerance) * particles.largest_radius() + settings.slack);
 }
 
-void PairContacts::change_population(const PopulationChange& change, const ParticleState& after) {
+void PairContacts::change_population(const PopulationChange& change,
+                                     const ParticleState& after,
+                                     const ContactTable& table) {
     const bool has_records = has_all_records();
-    const std::vector<Index> stay = objects_.renumber(change, true);
+    const Renumbered touching = objects_.renumber(change, true, table.turned_columns());
     if (has_records) {
-        keep_rows(records_, stay, record_size);
+        pick_rows(records_, touching.touching_before, record_size);
+        for (std::size_t t = 0; t < touching.turned.size(); ++t) {
+            if (touching.turned[t]) {
+                turn_record(records_.data() + t * record_size);
+            }
+        }
     } else {
         records_.clear();
     }
@@ -59,6 +80,14 @@ void PairContacts::change_population(const PopulationChange& change, const Parti
     within_.resize(objects_.list().words());
     cut_into_slabs(after);
     clock_.expire(after);
+}
+
+double PairContacts::mean_slot_distance() const {
+    double sum = 0.0;
+    for (Index k = 0; k < objects_.list().count; ++k) {
+        sum += static_cast<double>(objects_.list().j[k] - objects_.list().i[k]);
+    }
+    return sum / std::max<double>(objects_.list().count, 1.0);
 }
 
 void PairContacts::build_candidates(const ParticleState& particles, const Kernels& kernels) {

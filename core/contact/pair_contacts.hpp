@@ -25,7 +25,12 @@ public:
     void expire(const ParticleState& particles) { clock_.expire(particles); }
 
     /// Particles have other slots; lists are made anew before the next step.
-    void change_population(const PopulationChange& change, const ParticleState& after);
+    void change_population(const PopulationChange& change,
+                           const ParticleState& after,
+                           const ContactTable& table);
+
+    /// Mean of j - i over the contact objects [1]: how far apart in memory their particles are.
+    double mean_slot_distance() const;
 
     /// Adds the travel bound of one step, relative to the bed's frame.
     void add_travel(double bound) { clock_.add_travel(bound); }

@@ -71,10 +71,10 @@ Renewal WallContacts::update(std::uint64_t cycle,
 
 void WallContacts::change_population(const PopulationChange& change, const ParticleState& after) {
     const bool has_records = has_all_records();
-    const std::vector<Index> stay = objects_.renumber(change, false);
-    keep_rows(force_, stay, 4);
+    const Renumbered touching = objects_.renumber(change, false);
+    pick_rows(force_, touching.touching_before, 4);
     if (has_records) {
-        keep_rows(records_, stay, record_size);
+        pick_rows(records_, touching.touching_before, record_size);
     } else {
         records_.clear();
     }

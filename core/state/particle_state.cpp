@@ -13,18 +13,18 @@ struct SpatialOrder {
     std::vector<Index> origin;  ///< by slot: place in the given order
     Index largest_layer = 0;    ///< spheres
 
-    SpatialOrder(std::span<const Sphere> spheres, double cell) : origin(spheres.size()) {
+    SpatialOrder(std::span<const Vec3> positions, double cell) : origin(positions.size()) {
         std::iota(origin.begin(), origin.end(), Index{0});
-        if (spheres.empty()) {
+        if (positions.empty()) {
             return;
         }
         const auto along = [](const Vec3& v) { return std::array{v.x, v.y, v.z}; };
-        std::array<double, 3> low = along(spheres.front().position);
+        std::array<double, 3> low = along(positions.front());
         std::array<double, 3> high = low;
-        for (const Sphere& sphere : spheres) {
+        for (const Vec3& position : positions) {
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                low[axis] = std::min(low[axis], along(sphere.position)[axis]);
-                high[axis] = std::max(high[axis], along(sphere.position)[axis]);
+                low[axis] = std::min(low[axis], along(position)[axis]);
+                high[axis] = std::max(high[axis], along(position)[axis]);
             }
         }
         std::array<std::size_t, 3> axes{2, 1, 0};
@@ -32,8 +32,8 @@ struct SpatialOrder {
             return high[a] - low[a] > high[b] - low[b];
         });
         std::vector<std::array<double, 3>> key;
-        for (const Sphere& sphere : spheres) {
-            const std::array<double, 3> p = along(sphere.position);
+        for (const Vec3& position : positions) {
+            const std::array<double, 3> p = along(position);
             key.push_back({std::floor((p[axes[0]] - low[axes[0]]) / cell),
                            std::floor((p[axes[1]] - low[axes[1]]) / cell),
                            std::floor((p[axes[2]] - low[axes[2]]) / cell)});
@@ -94,7 +94,11 @@ ParticleState::ParticleState(std::span<const Sphere> spheres,
         expect(sphere.radius);
     }
     std::for_each(expected_radii.begin(), expected_radii.end(), expect);
-    const SpatialOrder order(spheres, 2.0 * std::max(largest_radius_, 1e-300));
+    std::vector<Vec3> positions;
+    for (const Sphere& sphere : spheres) {
+        positions.push_back(sphere.position);
+    }
+    const SpatialOrder order(positions, 2.0 * std::max(largest_radius_, 1e-300));
     slab_size_ = slab_size_of(size_, order.largest_layer);
     for (Index slot = 0; slot < size_; ++slot) {
         const Index origin = order.origin[slot];
@@ -140,41 +144,44 @@ void ParticleState::order_by_id() {
 
 void ParticleState::change_population(const PopulationChange& change) {
     set_images({});
-    Index stay = 0;
-    for (Index slot = 0; slot < size_; ++slot) {
-        const Index after = change.slot_after[slot];
-        if (after == PopulationChange::gone) {
-            continue;
-        }
-        for (Column<double>* column : {&position_, &velocity_, &spin_, &force_, &torque_}) {
-            std::copy_n(
-                column->data() + 4 * std::size_t{slot}, 4, column->data() + 4 * std::size_t{after});
-        }
-        loaded_[after] = loaded_[slot];
-        mass_[after] = mass_[slot];
-        species_[after] = species_[slot];
-        id_[after] = id_[slot];
-        if (!wraps_.empty()) {
-            std::copy_n(wraps_.begin() + 3 * std::ptrdiff_t{slot},
-                        3,
-                        wraps_.begin() + 3 * std::ptrdiff_t{after});
-        }
-        ++stay;
-    }
     const bool was_one_slab = slab_count() <= 1;
-    resize(stay);
-    resize(stay + static_cast<Index>(change.newcomers.size()));
+    for (Column<double>* column : {&position_, &velocity_, &spin_, &force_, &torque_}) {
+        *column = renumbered(*column, change, 0.0, 4);
+    }
+    loaded_ = renumbered(loaded_, change);
+    mass_ = renumbered(mass_, change);
+    species_ = renumbered(species_, change);
+    id_ = renumbered(id_, change);
     if (box_.is_periodic()) {
-        wraps_.resize(3 * std::size_t{stay});
-        wraps_.resize(3 * std::size_t{size_}, 0.0);
+        wraps_ = renumbered(wraps_, change, 0.0, 3);
     }
-    for (Index slot = stay; slot < size_; ++slot) {
-        put(slot, change.newcomers[slot - stay], ++last_id_);
+    resize(static_cast<Index>(change.size_after()));
+    for (std::size_t n = 0; n < change.newcomers.size(); ++n) {
+        put(static_cast<Index>(size_ - change.newcomers.size() + n),
+            change.newcomers[n],
+            ++last_id_);
     }
-    if (was_one_slab) {
+    if (change.slab_size > 0) {
+        slab_size_ = change.slab_size;
+    } else if (was_one_slab) {
         slab_size_ = std::max(slab_size_, (size_ + 63) / 64 * 64);
     }
     order_by_id();
+}
+
+PopulationChange ParticleState::spatial_order() const {
+    std::vector<Vec3> positions;
+    for (Index slot = 0; slot < size_; ++slot) {
+        positions.push_back(box_.wrapped(position(slot)));
+    }
+    const SpatialOrder order(positions, 2.0 * std::max(largest_radius_, 1e-300));
+    PopulationChange change;
+    change.slot_after.resize(size_);
+    for (Index slot = 0; slot < size_; ++slot) {
+        change.slot_after[order.origin[slot]] = slot;
+    }
+    change.slab_size = slab_size_of(size_, order.largest_layer);
+    return change;
 }
 
 ParticleView ParticleState::view() {
@@ -336,15 +343,15 @@ void ParticleState::load(const Archive& archive, bool may_differ) {
     const auto& counts = archive.get<std::uint64_t>("particles/counts", 2);
     if (may_differ) {
         resize(static_cast<Index>(id.size()));
-        slab_size_ = static_cast<Index>(counts[0]);
         last_id_ = static_cast<std::int64_t>(counts[1]);
-        Archive::require(slab_size_ > 0 && slab_size_ % 64 == 0, "particles/counts");
     } else if (id.size() != size_) {
         throw_bad_input({.what = "the checkpoint holds another number of particles",
                          .where = "checkpoint",
                          .likely_cause = "the scene has changed since it was written",
                          .next_step = "run the scene again without --resume"});
     }
+    slab_size_ = static_cast<Index>(counts[0]);
+    Archive::require(slab_size_ > 0 && slab_size_ % 64 == 0, "particles/counts");
     if (box_.is_periodic()) {
         load_images(archive);
     }

@@ -1,6 +1,6 @@
 /// State of the particles of one realisation, in columns of packets of four doubles
-/// (share/doc/decisions/0002-packets-of-four.md). Slots are in spatial order at the start; ids are
-/// in order of insertion, from 1.
+/// (share/doc/decisions/0002-packets-of-four.md). Slots are in spatial order at the start, and
+/// again when the engine sorts them; ids are in order of insertion, from 1.
 #pragma once
 
 #include "core/archive.hpp"
@@ -73,7 +73,10 @@ public:
     /// Ids that have been given out; ids are not used again.
     std::int64_t last_id() const { return last_id_; }
 
-    /// Lets particles go and others come.
+    /// The change that would put all slots in spatial order again.
+    PopulationChange spatial_order() const;
+
+    /// Lets particles go and others come, or have other slots.
     void change_population(const PopulationChange& change);
 
     /// Whether no load moves a particle (core/body/driven_groups.hpp).

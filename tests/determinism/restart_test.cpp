@@ -76,6 +76,25 @@ TEST(Restart, ContinuesToTheSameBits) {
     expect_same_after_restart(thrown_bed(), {{1401, 0}, {1899, 0}, {2300, 1}, {2450, 1}});
 }
 
+TEST(Restart, ContinuesToTheSameBitsWhereSlotsAreSortedAnew) {
+    const Scene scene = mixing_gas();
+    Observer nobody;
+    Simulation straight(scene, 0);
+    const Archive at_start = saved(straight);
+    straight.advance(500, nobody);
+    const Archive archive = saved(straight);
+    ASSERT_NE(at_start.get<std::uint64_t>("particles/id"),
+              archive.get<std::uint64_t>("particles/id"));
+    Simulation resumed(scene, 0);
+    resumed.load(archive);
+    EXPECT_EQ(differences(archive, saved(resumed)), "");
+    straight.advance(1U << 30, nobody);
+    resumed.advance(1U << 30, nobody);
+    EXPECT_EQ(differences(saved(straight), saved(resumed)), "");
+    ASSERT_NE(archive.get<std::uint64_t>("particles/id"),
+              saved(straight).get<std::uint64_t>("particles/id"));
+}
+
 TEST(Restart, ContinuesToTheSameBitsAcrossPeriodicBoundaries) {
     expect_same_after_restart(carried_bed(), {{2001, 0}, {7777, 0}});
     Scene scene = with_traffic(carried_bed());

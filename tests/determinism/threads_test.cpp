@@ -103,6 +103,19 @@ TEST(Threads, ThoseInsideOneSceneChangeNoBit) {
     }
 }
 
+TEST(Threads, ThoseInASceneWhoseSlotsAreSortedAnewChangeNoBit) {
+    const Crowd crowd;
+    const Scene scene = mixing_gas();
+    Observer nobody;
+    Simulation alone(scene, 0);
+    alone.advance(700, nobody);
+    for (const unsigned threads : {2U, 3U, 8U}) {
+        Simulation shared(scene, 0, {.isa = "", .threads = threads});
+        shared.advance(700, nobody);
+        EXPECT_EQ(shared.state_hash(), alone.state_hash()) << threads << " threads";
+    }
+}
+
 TEST(Threads, ThoseOfARestartChangeNoBit) {
     const Crowd crowd;
     const Scene scene = long_bed();

@@ -173,6 +173,36 @@ Scene carried_bed() {
     return scene;
 }
 
+Scene mixing_gas() {
+    constexpr int along = 24;
+    constexpr double cell = 0.006;
+    constexpr double half = 0.5 * along * cell;
+    std::mt19937_64 random(5);
+    ListInsertion list;
+    for (int n = 0; n < along * along * along; ++n) {
+        const auto speed = [&] { return between(random, -10.0, 10.0); };
+        Placement sphere{.species = "small",
+                         .position = {cell * (n % along + 0.5) - half,
+                                      cell * (n / along % along + 0.5) - half,
+                                      cell * (n / along / along + 0.5) - half}};
+        sphere.velocity = {speed(), speed(), speed()};
+        list.particles.push_back(sphere);
+    }
+    Scene scene;
+    scene.particles.species = {{"small", 0.002, 1500.0}};
+    scene.particles.insertion = {std::move(list)};
+    scene.walls = {{.name = "box",
+                    .shape = BoxShape{{-half, -half, -half}, {half, half, half}},
+                    .motion = FixedMotion{},
+                    .material = {}}};
+    scene.contact = full_contact(1e5, 0.02);
+    scene.timestep = FixedTimestep{1e-5};
+    Stage stage;
+    stage.duration = 0.008;
+    scene.stages = {stage};
+    return scene;
+}
+
 Scene with_traffic(Scene scene) {
     scene.particles.sources = {{.name = "inlet",
                                 .species = "small",

@@ -26,6 +26,10 @@ Scene thrown_bed();
 /// history and traces are on. Fixed step.
 Scene carried_bed();
 
+/// 13 824 spheres that fly so fast, and mix so soon, that their slots are sorted anew within some
+/// hundred cycles; several slabs of slots. Fixed step, no output.
+Scene mixing_gas();
+
 /// A scene into which spheres come and from which they go: a source on top, a sink in a corner.
 Scene with_traffic(Scene scene);
 

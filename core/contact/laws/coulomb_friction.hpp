@@ -46,6 +46,7 @@ struct CoulombFriction {
 
     static constexpr int value_count = 1;
     static constexpr int history_size = 3;
+    static constexpr int turned_history = 3;
     static constexpr Needs needs = Needs::velocity | Needs::spin | Needs::entry;
 
     static constexpr void resolve(const Params& params, const MaterialPair&, double* values) {

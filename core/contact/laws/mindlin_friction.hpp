@@ -48,6 +48,7 @@ struct MindlinFriction {
 
     static constexpr int value_count = 1;
     static constexpr int history_size = 4;
+    static constexpr int turned_history = 3;
     static constexpr Needs needs = Needs::velocity | Needs::spin | Needs::entry;
 
     static constexpr void resolve(const Params& params, const MaterialPair&, double* values) {

@@ -56,6 +56,7 @@ struct RollingResistance {
 
     static constexpr int value_count = 2;
     static constexpr int history_size = 3;
+    static constexpr int turned_history = 3;
     static constexpr Needs needs = Needs::velocity | Needs::spin | Needs::entry |
                                    Needs::effective_radius | Needs::relative_spin;
 
