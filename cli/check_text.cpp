@@ -122,6 +122,15 @@ std::string check_text(const Scene& scene, const io::CheckReport& report) {
                     1e-6 * report.trial.particle_steps_per_second,
                     report.trial.cycles,
                     report.trial.wall_seconds);
+    if (!report.trial.shares.empty()) {
+        text += "shares:";
+        for (const auto& [phase, share] : report.trial.shares) {
+            text += fmt::format(" {} {:.0f} %{}",
+                                phase,
+                                100.0 * share,
+                                phase == report.trial.shares.back().first ? "\n" : ",");
+        }
+    }
     text += fmt::format("memory: about {:.0f} MB\n", std::ceil(1e-6 * report.memory_bytes));
     text += fmt::format("time: about {} on {} threads, if it goes on as in the trial\n",
                         duration_text(report.expected_seconds),

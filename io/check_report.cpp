@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <map>
+
 namespace grainbench::io {
 namespace {
 
@@ -98,7 +100,10 @@ std::string to_json(const CheckReport& report, const std::string& effective_scen
                      {{"wall_seconds", report.trial.wall_seconds},
                       {"cycles", report.trial.cycles},
                       {"particle_steps_per_second", report.trial.particle_steps_per_second},
-                      {"timestep", report.trial.timestep}}},
+                      {"timestep", report.trial.timestep},
+                      {"shares",
+                       Json(std::map<std::string, double>(report.trial.shares.begin(),
+                                                          report.trial.shares.end()))}}},
                     {"memory_bytes", report.memory_bytes},
                     {"threads", report.threads},
                     {"expected_seconds", report.expected_seconds},

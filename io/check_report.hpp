@@ -32,6 +32,8 @@ struct TrialRun {
     std::uint64_t cycles = 0;
     double particle_steps_per_second = 0.0;  ///< one thread, without output
     double timestep = 0.0;                   ///< [s] of the last cycle
+    /// Parts of a cycle and their shares of its time [1]; empty if the run ended in the trial.
+    std::vector<std::pair<std::string, double>> shares;
 };
 
 struct DetectionCheck {

@@ -13,9 +13,6 @@ namespace {
 
 using io::Json;
 
-constexpr std::array<const char*, phase_count> phase_names = {
-    "timestep", "integration", "detection", "contacts", "walls", "output"};
-
 double smallest(const std::vector<double>& values) {
     return *std::min_element(values.begin(), values.end());
 }

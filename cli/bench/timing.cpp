@@ -29,34 +29,6 @@ double loaded_count(const Simulation& simulation) {
         frame.contacts.begin(), frame.contacts.end(), [](auto count) { return count > 0; }));
 }
 
-class PhaseClock : public PhaseWatch {
-public:
-    void enter(Phase phase) override {
-        const auto now = Clock::now();
-        if (is_running_) {
-            seconds_[static_cast<std::size_t>(phase_)] +=
-                std::chrono::duration<double>(now - start_).count();
-        }
-        start_ = now;
-        phase_ = phase;
-        is_running_ = true;
-    }
-
-    /// Ends the phase that runs.
-    void stop() {
-        enter(phase_);
-        is_running_ = false;
-    }
-
-    const PhaseTimes& seconds() const { return seconds_; }
-
-private:
-    PhaseTimes seconds_{};
-    Clock::time_point start_;
-    Phase phase_ = Phase::timestep;
-    bool is_running_ = false;
-};
-
 }  // namespace
 
 void BenchRun::prepare() {

@@ -2,13 +2,12 @@
 /// Simulation::advance only.
 #pragma once
 
-#include "core/phases.hpp"
 #include "core/simulation.hpp"
 
 #include "cli/bench/cases.hpp"
 #include "cli/bench/work_model.hpp"
+#include "cli/phase_clock.hpp"
 
-#include <array>
 #include <optional>
 #include <utility>
 
@@ -28,9 +27,6 @@ struct BenchTiming {
     double searches = 0.0;
     double candidate_builds = 0.0;
 };
-
-/// Seconds by Phase.
-using PhaseTimes = std::array<double, phase_count>;
 
 /// One running copy of a case; keeps its state from one repetition to the next.
 class BenchRun {

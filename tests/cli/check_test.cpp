@@ -57,8 +57,11 @@ TEST_F(CheckCommand, PrintsWhatTheSceneTurnsOnAndCosts) {
 }
 
 TEST_F(CheckCommand, JsonHoldsTheNumbersAndAnEffectiveSceneThatReadsBack) {
-    const Answer answer =
-        check({"--json", "--set", "/timestep={\"type\":\"fixed\",\"value\":1e-5}"});
+    const Answer answer = check({"--json",
+                                 "--set",
+                                 "/timestep={\"type\":\"fixed\",\"value\":1e-5}",
+                                 "--set",
+                                 "/stages/1/duration=1000"});  // outlasts the trial
     ASSERT_EQ(answer.code, 0) << answer.err;
     const json data = json::parse(answer.out);
     const Scene scene = io::parse_scene(data.at("scene").dump(), folder_.path(), "effective");
@@ -70,6 +73,12 @@ TEST_F(CheckCommand, JsonHoldsTheNumbersAndAnEffectiveSceneThatReadsBack) {
     EXPECT_NEAR(stage.at("contact_times").at(0).at("duration"), 2.8934e-4, 1e-8);
     EXPECT_NEAR(stage.at("steps_per_contact"), 28.934, 1e-3);
     EXPECT_GT(data.at("trial").at("particle_steps_per_second"), 0.0);
+    double shares = 0.0;
+    for (const auto& [phase, share] : data.at("trial").at("shares").items()) {
+        EXPECT_GE(share, 0.0) << phase;
+        shares += share.get<double>();
+    }
+    EXPECT_NEAR(shares, 1.0, 1e-9);
     EXPECT_GT(data.at("memory_bytes"), 0.0);
     EXPECT_GT(data.at("expected_seconds"), 0.0);
 }
