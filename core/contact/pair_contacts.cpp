@@ -148,12 +148,13 @@ void PairContacts::renew_objects(const ParticleState& particles, const Kernels& 
     ++renewals_;
 }
 
-/// One slab where particles have wandered so far that some contact reaches past the next slab.
+/// One slab in small scenes, and where particles have wandered so far that some contact reaches past
+/// the next slab.
 void PairContacts::cut_into_slabs(const ParticleState& particles) {
     const PairList& list = objects_.list();
     const Index size = particles.slab_size();
     slab_start_.assign(1, 0);
-    bool fits = true;
+    bool fits = particles.slab_count() > 1;
     for (Index k = 0; k < list.count && fits; ++k) {
         const Index slab = list.i[k] / size;
         while (slab_start_.size() <= slab) {
