@@ -148,8 +148,8 @@ void PairContacts::renew_objects(const ParticleState& particles, const Kernels& 
     ++renewals_;
 }
 
-/// One slab in small scenes, and where particles have wandered so far that some contact reaches past
-/// the next slab.
+/// One slab in small scenes, and where particles have wandered so far that some contact reaches
+/// past the next slab.
 void PairContacts::cut_into_slabs(const ParticleState& particles) {
     const PairList& list = objects_.list();
     const Index size = particles.slab_size();
