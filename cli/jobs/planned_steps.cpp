@@ -24,6 +24,8 @@ ParticleFrame one_particle_of_each(const Scene& scene) {
         one_of_each.id.push_back(static_cast<std::int64_t>(s) + 1);
         one_of_each.species.push_back(static_cast<std::int32_t>(s));
         one_of_each.radius.push_back(scene.particles.species[s].radius);
+        one_of_each.position.push_back({});  // scales of stiffening contacts ask for fall and speed
+        one_of_each.velocity.push_back({});
     }
     return one_of_each;
 }

@@ -12,7 +12,7 @@ namespace grainbench::cli {
 /// \param limit of that contact, SingleContactLimit::timestep [s]
 double planned_timestep(const Timestep& scheme, double limit);
 
-/// A particle of each species, for what depends on their size alone.
+/// A particle of each species, at rest at the origin, for what depends on their size alone.
 ParticleFrame one_particle_of_each(const Scene& scene);
 
 /// Duration of the shortest contact of all stages [s]; infinite without particles or stiffness.

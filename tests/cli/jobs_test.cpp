@@ -3,6 +3,7 @@
 #include "io/json/scene_json.hpp"
 
 #include "cli/jobs/job_pool.hpp"
+#include "cli/jobs/planned_steps.hpp"
 
 #include "tests/cli/invoke.hpp"
 #include "tests/cli/scenes.hpp"
@@ -11,6 +12,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <streambuf>
 
 namespace grainbench::cli {
@@ -174,6 +176,18 @@ TEST_F(JobPool, ErrorOfASceneNamesItsJobAndLeavesNoFolder) {
         EXPECT_THAT(error.what(), HasSubstr("where: variant 3: /observables/elevation"));
     }
     EXPECT_FALSE(io::file_exists(folder_ / "cache"));
+}
+
+TEST_F(JobPool, PlansRunsOfHertzsSpheres) {
+    // Their step hangs on the speed of impacts, which the plan has to foresee without particles.
+    const double soft = planned_cycles(
+        cup({"/contact={\"stiffness\":{\"law\":\"hertz_stiffness\",\"young_modulus\":"
+             "1e7,\"poisson_ratio\":0.3},\"normal\":{\"law\":\"hertz_spring\"}}"}));
+    const double stiff = planned_cycles(
+        cup({"/contact={\"stiffness\":{\"law\":\"hertz_stiffness\",\"young_modulus\":"
+             "1e9,\"poisson_ratio\":0.3},\"normal\":{\"law\":\"hertz_spring\"}}"}));
+    // t_c ~ E^(-2/5) at a given speed.
+    EXPECT_NEAR(stiff / soft, std::pow(100.0, 0.4), 0.01 * std::pow(100.0, 0.4));
 }
 
 }  // namespace
