@@ -3,6 +3,7 @@
 #include "core/contact/contact_table.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace grainbench {
 
@@ -121,6 +122,21 @@ private:
         if (scene.observables.wall_forces) {
             add("wall_forces", "/observables/wall_forces");
         }
+        if (scene.observables.coordination) {
+            add("coordination", "/observables/coordination");
+        }
+        if (!scene.observables.regions.empty()) {
+            add("regions", "/observables/regions");
+        }
+        if (scene.observables.mixing) {
+            add("mixing", "/observables/mixing");
+        }
+        if (!scene.observables.repose.empty()) {
+            add("repose", "/observables/repose");
+        }
+        if (scene.observables.coarse_graining) {
+            add("coarse_graining", "/observables/coarse_graining");
+        }
         if (!scene.traces.empty()) {
             add("traces", "/traces");
         }
@@ -187,6 +203,7 @@ public:
                 add(at("/particles/sources", s) + "/start", "the run ends before");
             }
         }
+        add_observables(scene);
     }
 
     std::vector<IdleEffect> take() && { return std::move(idle_); }
@@ -265,6 +282,26 @@ private:
             law);
     }
 
+    /// Cells too small for what they are to tell.
+    void add_observables(const Scene& scene) {
+        double smallest = std::numeric_limits<double>::infinity();
+        for (const Species& species : scene.particles.species) {
+            smallest = std::min(smallest, species.radius);
+        }
+        if (const auto& mixing = scene.observables.mixing; mixing && mixing->cell < smallest) {
+            add("/observables/mixing/cell",
+                "cells smaller than a radius hold one particle each, which tells nothing of "
+                "mixing");
+        }
+        const auto& repose = scene.observables.repose;
+        for (std::size_t k = 0; k < repose.size(); ++k) {
+            if (repose[k].cell < smallest) {
+                add(at("/observables/repose", k) + "/cell",
+                    "columns thinner than a radius take every particle for one of the surface");
+            }
+        }
+    }
+
     void add_output(const Output& output,
                     const std::string& pointer,
                     double length,
@@ -277,6 +314,7 @@ private:
         check(output.frame_interval, "frame_interval");
         check(output.history_interval, "history_interval");
         check(output.trace_interval, "trace_interval");
+        check(output.field_interval, "field_interval");
         check(output.checkpoint_interval, "checkpoint_interval");
     }
 

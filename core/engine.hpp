@@ -35,6 +35,9 @@ public:
 
     double timestep() const { return timestep_; }
 
+    /// That step() will take, if nothing changes before [s].
+    double next_timestep() const { return choose_timestep(); }
+
     std::uint64_t cycle() const { return cycle_; }
 
     const ParticleState& particles() const { return particles_; }
@@ -112,6 +115,8 @@ public:
     bool keeps_records() const { return keep_records_; }
 
     bool has_ledger() const { return ledger_ != nullptr; }
+
+    const EnergyLedger* ledger() const { return ledger_.get(); }
 
     Energies energies() const { return ledger_->energies(ledger_view(), timestep_); }
 

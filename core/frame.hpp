@@ -1,9 +1,11 @@
-/// Snapshots that leave the core: particles, walls and contacts at one instant, in view order
-/// (sorted by id), and the columns of the history. io writes them, render reads what io wrote.
+/// Snapshots that leave the core: particles, walls, contacts and fields at one instant, in view
+/// order (sorted by id), and the columns of the history. io writes them, render reads what io
+/// wrote.
 #pragma once
 
 #include "core/types.hpp"
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -55,6 +57,31 @@ struct ContactFrame {
     std::vector<double> overlap;           ///< [m]
     std::vector<double> force_normal;      ///< [N] spring part, compression positive
     std::vector<double> force_tangential;  ///< [N] spring part, magnitude
+    std::vector<Vec3> point;               ///< [m] contact point, in the middle of the overlap
+    std::vector<Vec3> branch;              ///< [m] from i to the centre of j, or to the point
+    std::vector<Vec3> force;               ///< [N] on j, all of it: springs, cohesion, dashpots
+    std::vector<std::int32_t> i_species;   ///< index into Scene::particles.species
+    std::vector<std::int32_t> j_species;   ///< the same, or -1 for a wall
+};
+
+/// Three rows of three.
+using Tensor = std::array<double, 9>;
+
+/// Fields at the centres of the cells of a regular grid; along x first, then y, then z. What they
+/// are: core/measure/coarse_graining.hpp.
+struct FieldFrame {
+    double time = 0.0;
+    std::uint64_t cycle = 0;
+    Vec3 low{};      ///< [m] corner of the grid with the smallest coordinates
+    Vec3 spacing{};  ///< [m] edges of a cell
+    std::array<Index, 3> counts{};
+    std::vector<double> density;               ///< [kg/m^3]
+    std::vector<double> solid_fraction;        ///< [1]
+    std::vector<Vec3> velocity;                ///< [m/s] zero where nothing is
+    std::vector<double> granular_temperature;  ///< [m^2/s^2]
+    std::vector<double> pressure;              ///< [Pa] of contacts and motion
+    std::vector<Tensor> contact_stress;        ///< [Pa] compression positive
+    std::vector<Tensor> kinetic_stress;        ///< [Pa]
 };
 
 struct HistoryColumn {

@@ -9,6 +9,7 @@
 #include "core/scene/contact.hpp"
 #include "core/scene/driven.hpp"
 #include "core/scene/measurement.hpp"
+#include "core/scene/observables.hpp"
 #include "core/scene/output.hpp"
 #include "core/scene/particles.hpp"
 #include "core/scene/periodic.hpp"

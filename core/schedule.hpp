@@ -35,8 +35,13 @@ public:
         fired_ = 0;
     }
 
+    /// Whether is_due() would say so.
+    bool would_fire(double t) const {
+        return interval_ > 0.0 && t >= origin_ + static_cast<double>(fired_ + 1) * interval_;
+    }
+
     bool is_due(double t) {
-        if (interval_ <= 0.0 || t < origin_ + static_cast<double>(fired_ + 1) * interval_) {
+        if (!would_fire(t)) {
             return false;
         }
         fired_ = last_due(t, origin_, interval_, fired_ + 1);
@@ -69,7 +74,9 @@ public:
         frame.begin(t, output.frame_interval);
         history.begin(t, output.history_interval);
         trace.begin(t, output.trace_interval);
+        field.begin(t, output.field_interval);
         checkpoint.begin(t, output.checkpoint_interval);
+        fields_have_own_interval_ = output.field_interval.has_value();
         history_cycles_ = output.history_cycles.value_or(0);
     }
 
@@ -79,10 +86,18 @@ public:
                (history_cycles_ > 0 && cycle % static_cast<std::uint64_t>(history_cycles_) == 0);
     }
 
+    /// Asked before the timer of the frames, which they go with, counts.
+    bool fields_are_due(double t) const {
+        return (fields_have_own_interval_ ? field : frame).would_fire(t);
+    }
+
     void save(Archive& archive) const {
         frame.save(archive, "schedule/frame");
         history.save(archive, "schedule/history");
         trace.save(archive, "schedule/trace");
+        if (fields_have_own_interval_) {
+            field.save(archive, "schedule/field");
+        }
         checkpoint.save(archive, "schedule/checkpoint");
     }
 
@@ -90,16 +105,21 @@ public:
         frame.load(archive, "schedule/frame");
         history.load(archive, "schedule/history");
         trace.load(archive, "schedule/trace");
+        if (fields_have_own_interval_) {
+            field.load(archive, "schedule/field");
+        }
         checkpoint.load(archive, "schedule/checkpoint");
     }
 
     IntervalTimer frame;
     IntervalTimer history;
     IntervalTimer trace;
+    IntervalTimer field;
     IntervalTimer checkpoint;
 
 private:
     std::int64_t history_cycles_ = 0;
+    bool fields_have_own_interval_ = false;
 };
 
 }  // namespace grainbench

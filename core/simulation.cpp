@@ -2,6 +2,9 @@
 
 #include "core/engine.hpp"
 #include "core/guards/watch.hpp"
+#include "core/measure/coarse_graining.hpp"
+#include "core/measure/contact_loads.hpp"
+#include "core/measure/coordination.hpp"
 #include "core/measure/elevation.hpp"
 #include "core/measure/memory_need.hpp"
 #include "core/measure/selection.hpp"
@@ -73,7 +76,11 @@ struct Simulation::Impl {
                               required_group(scene, wanted->lower, particles),
                               up_direction(scene));
         }
+        measurements = build_measurements(scene, up_direction(scene));
         name_columns();
+        if (scene.observables.coarse_graining) {
+            engine.want_records();
+        }
         enter_stage(0);
     }
 
@@ -86,6 +93,18 @@ struct Simulation::Impl {
     void observe();
     void report_all(Observer& observer, const Simulation& self);
     void report_due(Observer& observer, const Simulation& self);
+    void want_records_for_fields();
+
+    MeasureView view() const {
+        return {.particles = engine.particles(),
+                .pairs = engine.pairs(),
+                .walls = engine.walls(),
+                .wall_contacts = engine.wall_contacts(),
+                .groups = groups,
+                .body = engine.body(),
+                .timestep = engine.timestep(),
+                .ledger = engine.ledger()};
+    }
 
     const Stage& current_stage() const { return scene.stages[stage]; }
 
@@ -100,6 +119,7 @@ struct Simulation::Impl {
     std::vector<std::int32_t> groups, layers;
     std::vector<Index> traced;
     std::optional<Elevation> elevation;
+    std::vector<std::unique_ptr<Measurement>> measurements;
     std::vector<HistoryColumn> columns;
     Schedule schedule;
     std::size_t stage = 0;
@@ -121,8 +141,7 @@ void Simulation::Impl::name_columns() {
                {"kinetic_energy", "J", "translation and rotation"},
                {"overlap_ratio", "1", "deepest overlap over the smaller radius"}};
     if (elevation) {
-        columns.push_back({"elevation", "m", "mean height of the upper group over the lower"});
-        columns.push_back({"elevation_average", "m", "its mean over the last complete interval"});
+        elevation->name_columns(columns);
     }
     if (const Traffic* traffic = engine.traffic()) {
         columns.push_back({"particles", "1", "in the scene"});
@@ -133,31 +152,10 @@ void Simulation::Impl::name_columns() {
             }
         }
     }
-    if (scene.observables.energy) {
-        for (const auto& [name, doc] : std::initializer_list<std::pair<const char*, const char*>>{
-                 {"energy_kinetic_translation", "kinetic energy of translation"},
-                 {"energy_kinetic_rotation", "kinetic energy of rotation"},
-                 {"energy_potential", "in gravity, from the origin"},
-                 {"energy_elastic", "held by contact springs"},
-                 {"energy_dissipated_slip", "lost to sliding friction"},
-                 {"energy_dissipated_dashpot", "lost to dashpots"},
-                 {"energy_dissipated_local", "lost to local damping"},
-                 {"energy_wall_work", "work of walls and driven groups on the others"},
-                 {"energy_numerical", "lost by the integrator where contacts open and close"},
-                 {"energy_residual", "what the ledger leaves: round-off"}}) {
-            columns.push_back({name, "J", doc});
-        }
+    for (const auto& measurement : measurements) {
+        measurement->name_columns(columns);
     }
     if (scene.observables.wall_forces) {
-        for (const Wall& wall : scene.walls) {
-            for (const char* axis : {"x", "y", "z"}) {
-                columns.push_back({wall.name + ".force_" + axis, "N", "of particles on the wall"});
-            }
-            for (const char* axis : {"x", "y", "z"}) {
-                columns.push_back({wall.name + ".torque_" + axis, "N m", "about the origin"});
-            }
-            columns.push_back({wall.name + ".displacement_z", "m", "of the wall since the start"});
-        }
         for (const std::string& name : engine.driven().names()) {
             for (const char* axis : {"x", "y", "z"}) {
                 columns.push_back({name + ".force_" + axis, "N", "of the others on the group"});
@@ -249,6 +247,9 @@ void Simulation::Impl::report_all(Observer& observer, const Simulation& self) {
     observer.on_history(self);
     observer.on_trace(self);
     observer.on_frame(self);
+    if (scene.observables.coarse_graining) {
+        observer.on_fields(self);
+    }
     observer.on_checkpoint(self);
 }
 
@@ -261,12 +262,25 @@ void Simulation::Impl::report_due(Observer& observer, const Simulation& self) {
     if (schedule.trace.is_due(t)) {
         observer.on_trace(self);
     }
+    const bool fields_are_due = scene.observables.coarse_graining && schedule.fields_are_due(t);
     if (schedule.frame.is_due(t)) {
         observer.on_frame(self);
+    }
+    if (fields_are_due) {
+        schedule.field.is_due(t);  // counts it
+        observer.on_fields(self);
     }
     if (schedule.checkpoint.is_due(t)) {
         guards.look(engine);
         observer.on_checkpoint(self);
+    }
+}
+
+/// Stress needs the forces of single contacts, which only the steps leave whose end is looked at.
+void Simulation::Impl::want_records_for_fields() {
+    const double next = engine.time() + engine.next_timestep();
+    if (next >= stage_end || schedule.fields_are_due(next)) {
+        engine.want_records();
     }
 }
 
@@ -304,6 +318,9 @@ bool Simulation::advance(std::uint64_t cycles, Observer& observer) {
             return false;
         }
         s.guards.before_step(s.engine);
+        if (s.scene.observables.coarse_graining) {
+            s.want_records_for_fields();
+        }
         s.engine.step();
         if (const PopulationChange* change = s.engine.population_change()) {
             s.follow(*change);
@@ -384,16 +401,7 @@ ParticleFrame Simulation::particle_frame() const {
     const std::vector<std::int32_t> current_layers = s.scene.layers
                                                          ? current_layer_numbers(*s.scene.layers, p)
                                                          : std::vector<std::int32_t>(p.size(), 0);
-    std::vector<std::int32_t> contacts(p.size(), 0);
-    for (const TouchingContact contact : s.engine.pairs().touching()) {
-        ++contacts[s.engine.pairs().objects().i[contact.place()]];
-        ++contacts[p.owner(s.engine.pairs().objects().j[contact.place()])];
-    }
-    for (const WallContacts& wall : s.engine.wall_contacts()) {
-        for (Index t = 0; t < wall.touching_count(); ++t) {
-            ++contacts[wall.particle(t)];
-        }
-    }
+    const std::vector<std::int32_t> contacts = contacts_by_slot(s.view(), true);
     ParticleFrame frame;
     frame.time = time();
     frame.cycle = cycle();
@@ -446,37 +454,42 @@ ContactFrame Simulation::contact_frame() const {
     ContactFrame frame;
     frame.time = time();
     frame.cycle = cycle();
-    const auto append = [&](const double* record) {
-        frame.force_normal.push_back(record[record_normal]);
-        frame.force_tangential.push_back(
-            norm({record[record_shear_x], record[record_shear_y], record[record_shear_z]}));
-    };
-    const auto touching = engine.pairs().touching();
-    for (Index t = 0; t < touching.size(); ++t) {
-        const Index i = engine.pairs().objects().i[touching[t].place()];
-        const Index j = engine.pairs().objects().j[touching[t].place()];
-        frame.i_id.push_back(p.id(i));
-        frame.j_id.push_back(p.id(p.owner(j)));
-        frame.wall.push_back(0);
-        frame.i_position.push_back(p.position(i));
-        const Vec3 branch = p.box().shortest(p.position(j) - p.position(i));
-        frame.j_position.push_back(p.position(i) + branch);
-        frame.overlap.push_back(p.radius(i) + p.radius(j) - norm(branch));
-        append(engine.pairs().record(t));
+    for_each_contact(impl_->view(), [&](const ContactLoad& contact) {
+        const bool is_pair = contact.wall == ContactLoad::no_wall;
+        frame.i_id.push_back(p.id(contact.i));
+        frame.j_id.push_back(is_pair ? p.id(contact.j) : 0);
+        frame.wall.push_back(is_pair ? 0 : static_cast<std::int32_t>(contact.wall + 1));
+        frame.i_position.push_back(p.position(contact.i));
+        frame.j_position.push_back(contact.end);
+        frame.overlap.push_back(contact.overlap);
+        frame.force_normal.push_back(contact.pressing);
+        frame.force_tangential.push_back(norm(contact.shear));
+        frame.point.push_back(contact.point);
+        frame.branch.push_back(contact.branch);
+        frame.force.push_back(contact.force);
+        frame.i_species.push_back(static_cast<std::int32_t>(p.species(contact.i)));
+        frame.j_species.push_back(is_pair ? static_cast<std::int32_t>(p.species(contact.j)) : -1);
+    });
+    return frame;
+}
+
+FieldFrame Simulation::field_frame() const {
+    const Impl& s = *impl_;
+    if (!s.scene.observables.coarse_graining) {
+        throw_bad_input({.what = "the scene asks for no fields",
+                         .where = "/observables",
+                         .likely_cause = "fields are asked of a scene that describes no grid",
+                         .next_step = "add /observables/coarse_graining"});
     }
-    for (std::size_t w = 0; w < engine.walls().size(); ++w) {
-        const WallContacts& contacts = engine.wall_contacts()[w];
-        for (Index t = 0; t < contacts.touching_count(); ++t) {
-            const Index i = contacts.particle(t);
-            frame.i_id.push_back(p.id(i));
-            frame.j_id.push_back(0);
-            frame.wall.push_back(static_cast<std::int32_t>(w + 1));
-            frame.i_position.push_back(p.position(i));
-            frame.j_position.push_back(contacts.point(p, t));
-            frame.overlap.push_back(p.radius(i) - contacts.distance(t));
-            append(contacts.record(t));
-        }
+    if (!s.engine.has_records()) {
+        throw_bad_input({.what = "the last cycle left no forces of single contacts",
+                         .where = "/observables/coarse_graining",
+                         .likely_cause = "fields are asked for at a time when none are due",
+                         .next_step = "ask when on_fields() is called"});
     }
+    FieldFrame frame = coarse_grain(*s.scene.observables.coarse_graining, s.view());
+    frame.time = time();
+    frame.cycle = cycle();
     return frame;
 }
 
@@ -508,9 +521,9 @@ std::vector<double> Simulation::history_row() const {
                             static_cast<double>(contact_count()),
                             translation + rotation,
                             s.engine.largest_overlap_ratio()};
+    const MeasureView view = s.view();
     if (s.elevation) {
-        row.push_back(s.elevation->compute(s.engine.particles()));
-        row.push_back(s.elevation->average().value_or(std::numeric_limits<double>::quiet_NaN()));
+        s.elevation->append_row(view, row);
     }
     if (const Traffic* traffic = s.engine.traffic()) {
         row.push_back(static_cast<double>(particle_count()));
@@ -521,38 +534,10 @@ std::vector<double> Simulation::history_row() const {
             }
         }
     }
-    if (s.engine.has_ledger()) {
-        const Energies e = s.engine.energies();
-        row.insert(row.end(),
-                   {e.kinetic_translation,
-                    e.kinetic_rotation,
-                    e.potential,
-                    e.elastic,
-                    e.dissipated_slip,
-                    e.dissipated_dashpot,
-                    e.dissipated_local,
-                    e.wall_work,
-                    e.numerical,
-                    e.residual});
+    for (const auto& measurement : s.measurements) {
+        measurement->append_row(view, row);
     }
     if (s.scene.observables.wall_forces) {
-        for (std::size_t w = 0; w < s.engine.walls().size(); ++w) {
-            const WallContacts& contacts = s.engine.wall_contacts()[w];
-            Vec3 force{};
-            Vec3 torque{};
-            for (Index t = 0; t < contacts.touching_count(); ++t) {
-                force += contacts.force(t);
-                torque += cross(contacts.point(s.engine.particles(), t), contacts.force(t));
-            }
-            row.insert(row.end(),
-                       {force.x,
-                        force.y,
-                        force.z,
-                        torque.x,
-                        torque.y,
-                        torque.z,
-                        s.engine.walls()[w].displacement().z});
-        }
         for (std::size_t n = 0; n < s.engine.driven().size(); ++n) {
             const GroupLoad load = s.engine.driven_load(n);
             row.insert(row.end(),

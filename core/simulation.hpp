@@ -29,6 +29,8 @@ public:
 
     virtual void on_frame(const Simulation&) {}
 
+    virtual void on_fields(const Simulation&) {}
+
     virtual void on_checkpoint(const Simulation&) {}
 };
 
@@ -94,6 +96,8 @@ public:
     WallFrame wall_frame() const;
     /// Throws Error(bad_input) unless the scene writes contacts or has an energy ledger.
     ContactFrame contact_frame() const;
+    /// Throws Error(bad_input) unless fields are due, at on_fields().
+    FieldFrame field_frame() const;
     std::vector<TracePoint> trace_points() const;
 
     const std::vector<HistoryColumn>& history_columns() const;

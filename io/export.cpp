@@ -126,6 +126,7 @@ std::size_t export_realisation(const std::filesystem::path& from,
                             : export_series(from, to, "particles", ".vtu", copy_whole);
     files += export_series(from, to, "walls", ".vtp", copy_whole);
     files += export_series(from, to, "contacts", ".vtp", copy_whole);
+    files += export_series(from, to, "fields", ".vti", copy_whole);
     if (file_exists(from / "traces.vtp")) {
         copy_whole(from / "traces.vtp", to / "traces.vtp");
         ++files;

@@ -13,7 +13,7 @@ namespace grainbench::io {
 class FrameSeries {
 public:
     /// \param name "particles" for particles_000000.vtu and particles.pvd
-    /// \param extension ".vtu" or ".vtp"
+    /// \param extension ".vtu", ".vtp" or ".vti"
     FrameSeries(std::filesystem::path folder, std::string name, std::string extension);
 
     std::filesystem::path path_of(std::size_t frame) const;

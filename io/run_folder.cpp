@@ -19,6 +19,7 @@ namespace {
 
 // Archive keys of our own: how much output belongs to a checkpoint.
 constexpr const char* frames_key = "output/frames";
+constexpr const char* fields_key = "output/fields";  // only where the scene asks for fields
 constexpr const char* rows_key = "output/history_rows";
 constexpr const char* trace_key = "output/trace_points";
 
@@ -86,13 +87,16 @@ struct RunFolder::Impl {
             : particles(folder, "particles", ".vtu"),
               walls(folder, "walls", ".vtp"),
               contacts(folder, "contacts", ".vtp"),
+              fields(folder, "fields", ".vti"),
               traces_file(folder / "traces.vtp") {}
 
         FrameSeries particles;
         FrameSeries walls;
         FrameSeries contacts;
+        FrameSeries fields;
         std::filesystem::path traces_file;
         std::size_t frames = 0;
+        std::size_t field_frames = 0;
         Provenance provenance;
     };
 
@@ -100,6 +104,7 @@ struct RunFolder::Impl {
     std::filesystem::path folder;
     RunFolderOptions options;
     std::vector<bool> wants_contacts;  ///< of each stage
+    bool wants_fields = false;
     std::vector<Realisation> realisations;
     History history;
     Checkpoint checkpoint;
@@ -128,6 +133,7 @@ struct RunFolder::Impl {
         for (const Stage& stage : scene.stages) {
             wants_contacts.push_back(stage.output ? stage.output->contacts : scene.output.contacts);
         }
+        wants_fields = scene.observables.coarse_graining.has_value();
         Provenance provenance{.program = history.program,
                               .scene_title = scene.title,
                               .scene_hash = history.scene_hash,
@@ -176,6 +182,10 @@ struct RunFolder::Impl {
             realisation.particles.resume(realisation.frames);
             realisation.walls.resume(realisation.frames);
             realisation.contacts.resume(realisation.frames);
+            if (archive && wants_fields) {
+                realisation.field_frames = static_cast<std::size_t>(archive->count(fields_key));
+            }
+            realisation.fields.resume(realisation.field_frames);
         }
     }
 
@@ -278,6 +288,15 @@ void RunFolder::write_frame(std::size_t realisation,
     target.frames = frame + 1;
 }
 
+void RunFolder::write_fields(std::size_t realisation, const FieldFrame& fields) {
+    const std::scoped_lock lock(impl_->mutex);
+    Impl::Realisation& target = impl_->realisations.at(realisation);
+    const std::size_t frame = target.field_frames;
+    io::write_fields(target.fields.path_of(frame), fields, target.provenance);
+    target.fields.add(frame, fields.time);
+    target.field_frames = frame + 1;
+}
+
 void RunFolder::append_history(std::size_t realisation,
                                std::span<const HistoryColumn> columns,
                                std::span<const double> row) {
@@ -299,6 +318,9 @@ void RunFolder::write_checkpoint(std::size_t realisation, Archive archive) {
     const std::scoped_lock lock(impl_->mutex);
     const RealisationHistory& history = impl_->history.realisations.at(realisation);
     archive.put(frames_key, std::uint64_t{impl_->realisations[realisation].frames});
+    if (impl_->wants_fields) {
+        archive.put(fields_key, std::uint64_t{impl_->realisations[realisation].field_frames});
+    }
     archive.put(rows_key, std::uint64_t{history.history.rows()});
     archive.put(trace_key, std::uint64_t{history.traces.points.size()});
     impl_->checkpoint.realisations[realisation] = std::move(archive);

@@ -3,7 +3,8 @@
 ///
 ///     scene.json  manifest.json  history.h5  [history.csv]  checkpoint.h5  checkpoint-previous.h5
 ///     realisation-1/  particles.pvd particles_000000.vtu ...  walls.pvd walls_000000.vtp ...
-///                     [contacts.pvd contacts_000000.vtp ...]  traces.vtp
+///                     [contacts.pvd contacts_000000.vtp ...]  [fields.pvd fields_000000.vti ...]
+///                     traces.vtp
 #pragma once
 
 #include "core/archive.hpp"
@@ -67,6 +68,7 @@ public:
                      const ParticleFrame& particles,
                      const WallFrame& walls,
                      const ContactFrame* contacts);
+    void write_fields(std::size_t realisation, const FieldFrame& fields);
     void append_history(std::size_t realisation,
                         std::span<const HistoryColumn> columns,
                         std::span<const double> row);

@@ -33,6 +33,10 @@ public:
         }
     }
 
+    void on_fields(const Simulation& simulation) override {
+        folder_->write_fields(realisation_, simulation.field_frame());
+    }
+
     void on_checkpoint(const Simulation& simulation) override {
         Archive archive;
         simulation.save(archive);

@@ -65,6 +65,16 @@ void Elevation::sample(const ParticleState& particles, double t) {
     }
 }
 
+void Elevation::name_columns(std::vector<HistoryColumn>& columns) const {
+    columns.push_back({"elevation", "m", "mean height of the upper group over the lower"});
+    columns.push_back({"elevation_average", "m", "its mean over the last complete interval"});
+}
+
+void Elevation::append_row(const MeasureView& view, std::vector<double>& row) const {
+    row.push_back(compute(view.particles));
+    row.push_back(average_.value_or(none));
+}
+
 void Elevation::save(Archive& archive) const {
     archive.put("elevation/numbers",
                 std::vector<double>{origin_,

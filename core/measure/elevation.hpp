@@ -7,14 +7,14 @@
 #pragma once
 
 #include "core/archive.hpp"
-#include "core/state/particle_state.hpp"
+#include "core/measure/measurement.hpp"
 
 #include <optional>
 #include <vector>
 
 namespace grainbench {
 
-class Elevation {
+class Elevation : public Measurement {
 public:
     /// \param up unit vector
     Elevation(std::vector<Index> upper, std::vector<Index> lower, const Vec3& up);
@@ -29,6 +29,9 @@ public:
     void renumber(const PopulationChange& change);
 
     double compute(const ParticleState& particles) const;
+
+    void name_columns(std::vector<HistoryColumn>& columns) const override;
+    void append_row(const MeasureView& view, std::vector<double>& row) const override;
 
     /// Of the last sample [m].
     double last() const { return last_; }

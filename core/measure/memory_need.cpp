@@ -22,6 +22,9 @@ constexpr double bytes_per_particle = 2500.0;
 constexpr double bytes_per_particle_and_wall = 70.0;
 constexpr double bytes_per_facet = 700.0;
 
+/// [bytes] Fields of a cell, and as much again for its file in the making. Fields are not kept.
+constexpr double bytes_per_cell = 400.0;
+
 /// Part of its box that a random insertion can fill with spheres: no packing is denser.
 constexpr double densest = 0.7405;
 
@@ -100,6 +103,13 @@ MemoryNeed estimate_memory(const Scene& scene) {
     for (std::size_t w = 0; w < scene.walls.size(); ++w) {
         add(copies * bytes_per_facet * facets_of(scene.walls[w].shape),
             "/walls/" + std::to_string(w) + "/shape");
+    }
+    if (const auto& fields = scene.observables.coarse_graining) {
+        double cells = 1.0;
+        for (const std::int64_t along : fields->counts) {
+            cells *= static_cast<double>(along);
+        }
+        add(bytes_per_cell * cells, "/observables/coarse_graining/counts");
     }
     return need;
 }

@@ -1,4 +1,5 @@
-/// What a scene measures: groups, layers, observables, traces. SI units.
+/// Which particles a scene names: groups, layers, traces. What it measures of them is in
+/// core/scene/observables.hpp. SI units.
 #pragma once
 
 #include "core/box.hpp"
@@ -47,67 +48,6 @@ struct Layers {
                   "equal layers between the lowest and the highest centre, 1 on top, assigned anew "
                   "in "
                   "each frame as the array current_layer")};
-    }
-};
-
-/// Mean height of one group over another, as the example's intruder elevation, in metres.
-struct ElevationObservable {
-    std::string upper;
-    std::string lower;
-    std::int64_t sample_cycles = 10;
-    double average_interval = 0.1;
-
-    static constexpr auto fields() {
-        return std::tuple{required(&ElevationObservable::upper,
-                                   "upper",
-                                   "",
-                                   any_number(),
-                                   "group whose mean height is taken"),
-                          required(&ElevationObservable::lower,
-                                   "lower",
-                                   "",
-                                   any_number(),
-                                   "group whose mean height is subtracted"),
-                          field(&ElevationObservable::sample_cycles,
-                                "sample_cycles",
-                                "1",
-                                at_least(1),
-                                "cycles between two samples"),
-                          field(&ElevationObservable::average_interval,
-                                "average_interval",
-                                "s",
-                                positive(),
-                                "interval of the running average; a stage may change it")};
-    }
-};
-
-/// Ledger of all energies. Costs a pass over the touching contacts; absent = nothing is summed.
-struct EnergyObservable {
-    static constexpr auto fields() { return std::tuple{}; }
-};
-
-/// Force and torque on each wall, as columns of the history.
-struct WallForceObservable {
-    static constexpr auto fields() { return std::tuple{}; }
-};
-
-struct Observables {
-    std::optional<ElevationObservable> elevation;
-    std::optional<EnergyObservable> energy;
-    std::optional<WallForceObservable> wall_forces;
-
-    static constexpr auto fields() {
-        return std::tuple{field(&Observables::elevation,
-                                "elevation",
-                                "",
-                                any_number(),
-                                "mean height of one group over another, with entrainment time"),
-                          field(&Observables::energy, "energy", "", any_number(), "energy ledger"),
-                          field(&Observables::wall_forces,
-                                "wall_forces",
-                                "",
-                                any_number(),
-                                "force and torque on each wall")};
     }
 };
 

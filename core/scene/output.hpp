@@ -15,6 +15,7 @@ struct Output {
     std::optional<double> history_interval;
     std::optional<std::int64_t> history_cycles;
     std::optional<double> trace_interval;
+    std::optional<double> field_interval;
     std::optional<double> checkpoint_interval;
     bool contacts = false;
 
@@ -39,6 +40,12 @@ struct Output {
                                 "s",
                                 positive(),
                                 "time between points of a trace"),
+                          field(&Output::field_interval,
+                                "field_interval",
+                                "s",
+                                positive(),
+                                "time between fields of observables.coarse_graining; absent = with "
+                                "each frame"),
                           field(&Output::checkpoint_interval,
                                 "checkpoint_interval",
                                 "s",

@@ -21,17 +21,6 @@ void add(Problems& problems,
         {std::move(pointer), std::move(what), std::move(likely_cause), std::move(next_step)});
 }
 
-void check_direction(const Vec3& direction, const std::string& pointer, Problems& problems) {
-    // The square must not underflow either: directions are divided by their length.
-    if (!(norm(direction) > 0.0)) {
-        add(problems,
-            pointer,
-            "a direction of length 0",
-            "all components are 0",
-            "give a direction such as [0, 0, 1]");
-    }
-}
-
 void check_lattice(const LatticeInsertion& lattice, const std::string& at, Problems& problems) {
     if (lattice.counts.size() != 3) {
         add(problems,
@@ -326,6 +315,17 @@ void check_known(std::string_view name,
                  Problems& problems) {
     if (std::find(known.begin(), known.end(), name) == known.end()) {
         problems.add(unknown_name(pointer, kind, name, known));
+    }
+}
+
+void check_direction(const Vec3& direction, const std::string& pointer, Problems& problems) {
+    // The square must not underflow either: directions are divided by their length.
+    if (!(norm(direction) > 0.0)) {
+        add(problems,
+            pointer,
+            "a direction of length 0",
+            "all components are 0",
+            "give a direction such as [0, 0, 1]");
     }
 }
 

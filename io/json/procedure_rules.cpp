@@ -277,7 +277,17 @@ void check_layers(const Layers& layers, Problems& problems) {
     }
 }
 
-void check_output(const Output& output, const std::string& pointer, Problems& problems) {
+void check_output(const Scene& scene,
+                  const Output& output,
+                  const std::string& pointer,
+                  Problems& problems) {
+    if (output.field_interval && !scene.observables.coarse_graining) {
+        add(problems,
+            pointer + "/field_interval",
+            "there are no fields to write",
+            "'observables' has no 'coarse_graining'",
+            "add observables/coarse_graining, or remove this key");
+    }
     if (output.history_interval && output.history_cycles) {
         add(problems,
             pointer + "/history_cycles",
@@ -287,20 +297,7 @@ void check_output(const Output& output, const std::string& pointer, Problems& pr
     }
 }
 
-void check_observables(const Scene& scene, Problems& problems) {
-    if (const auto& elevation = scene.observables.elevation) {
-        const std::string at = "/observables/elevation";
-        const auto groups = names_of(scene.groups);
-        check_known(elevation->upper, groups, "group", at + "/upper", problems);
-        check_known(elevation->lower, groups, "group", at + "/lower", problems);
-        if (elevation->upper == elevation->lower) {
-            add(problems,
-                at + "/lower",
-                fmt::format("'{}' over itself", elevation->lower),
-                "the same group twice",
-                "name two different groups");
-        }
-    }
+void check_traces(const Scene& scene, Problems& problems) {
     for (std::size_t i = 0; i < scene.traces.size(); ++i) {
         if (const auto& species = scene.traces[i].species) {
             check_known(*species,
@@ -389,7 +386,7 @@ void check_stage(const Scene& scene,
         check_contact(scene, *stage.contact, at + "/contact", problems);
     }
     if (stage.output) {
-        check_output(*stage.output, at + "/output", problems);
+        check_output(scene, *stage.output, at + "/output", problems);
     }
     if (stage.average_interval && !scene.observables.elevation) {
         add(problems,
@@ -475,10 +472,11 @@ void check_procedure(const Scene& scene, Problems& problems) {
         check_layers(*scene.layers, problems);
     }
     check_observables(scene, problems);
+    check_traces(scene, problems);
     if (const auto& domain = scene.guards.lost.domain) {
         check_box(domain->low, domain->high, "/guards/lost/domain", problems);
     }
-    check_output(scene.output, "/output", problems);
+    check_output(scene, scene.output, "/output", problems);
 }
 
 }  // namespace grainbench::io

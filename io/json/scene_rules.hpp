@@ -17,8 +17,11 @@ void check_contact(const Scene& scene,
                    const std::string& pointer,
                    Problems& problems);
 
-/// Adds what is wrong with stages, groups, layers, observables, traces and output.
+/// Adds what is wrong with stages, groups, layers, traces and output, and with what is measured.
 void check_procedure(const Scene& scene, Problems& problems);
+
+/// Adds what is wrong with what is measured.
+void check_observables(const Scene& scene, Problems& problems);
 
 /// Adds what is wrong with one motion, at `pointer` in the scene.
 void check_motion(const WallMotion& motion, const std::string& pointer, Problems& problems);
@@ -44,6 +47,9 @@ void check_known(std::string_view name,
                  std::string_view kind,
                  const std::string& pointer,
                  Problems& problems);
+
+/// Adds a problem if a direction has no length.
+void check_direction(const Vec3& direction, const std::string& pointer, Problems& problems);
 
 /// Adds a problem unless low < high on every axis.
 void check_box(const Vec3& low, const Vec3& high, const std::string& pointer, Problems& problems);

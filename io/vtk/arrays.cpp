@@ -91,6 +91,17 @@ vtkSmartPointer<vtkDataArray> vector_array(const char* name, std::span<const Vec
     return floats_of(name, values);
 }
 
+vtkSmartPointer<vtkDataArray> tensor_array(const char* name,
+                                           std::span<const std::array<double, 9>> values) {
+    auto array = make_array<vtkFloatArray>(name, values.size(), 9);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        for (std::size_t c = 0; c < 9; ++c) {
+            array->SetValue(id(9 * k + c), static_cast<float>(values[k][c]));
+        }
+    }
+    return array;
+}
+
 vtkSmartPointer<vtkDataArray> int32_array(const char* name, std::span<const std::int32_t> values) {
     return integer_array<vtkTypeInt32Array>(name, values);
 }

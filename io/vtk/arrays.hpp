@@ -5,6 +5,7 @@
 
 #include <vtkSmartPointer.h>
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -23,6 +24,8 @@ vtkSmartPointer<vtkDataArray> float_array(const char* name,
                                           std::span<const double> values,
                                           double factor = 1.0);
 vtkSmartPointer<vtkDataArray> vector_array(const char* name, std::span<const Vec3> values);
+vtkSmartPointer<vtkDataArray> tensor_array(const char* name,
+                                           std::span<const std::array<double, 9>> values);
 vtkSmartPointer<vtkDataArray> int32_array(const char* name, std::span<const std::int32_t> values);
 vtkSmartPointer<vtkDataArray> int64_array(const char* name, std::span<const std::int64_t> values);
 vtkSmartPointer<vtkPoints> make_points(std::span<const Vec3> positions);

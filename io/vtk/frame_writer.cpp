@@ -11,11 +11,13 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkFieldData.h>
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
+#include <vtkXMLImageDataWriter.h>
 #include <vtkXMLPolyDataWriter.h>
 #include <vtkXMLUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridWriter.h>
@@ -191,9 +193,42 @@ void write_contacts(const std::filesystem::path& path,
         arrays->AddArray(int64_array("i_id", frame.i_id));
         arrays->AddArray(int64_array("j_id", frame.j_id));
         arrays->AddArray(int32_array("wall", frame.wall));
+        arrays->AddArray(vector_array("force", frame.force));
+        arrays->AddArray(vector_array("branch", frame.branch));
+        arrays->AddArray(vector_array("point", frame.point));
+        arrays->AddArray(int32_array("i_species", frame.i_species));
+        arrays->AddArray(int32_array("j_species", frame.j_species));
         put_instant(data->GetFieldData(), frame);
         put_provenance(data->GetFieldData(), provenance);
         bytes = encode<vtkXMLPolyDataWriter>(data, path, session);
+    }
+    write_file(path, bytes);
+}
+
+void write_fields(const std::filesystem::path& path,
+                  const FieldFrame& frame,
+                  const Provenance& provenance) {
+    std::string bytes;
+    {
+        const VtkSession session;
+        vtkNew<vtkImageData> data;
+        data->SetOrigin(frame.low.x, frame.low.y, frame.low.z);
+        data->SetSpacing(frame.spacing.x, frame.spacing.y, frame.spacing.z);
+        const auto points = [&](std::size_t axis) {
+            return static_cast<int>(frame.counts[axis]) + 1;
+        };
+        data->SetDimensions(points(0), points(1), points(2));
+        vtkCellData* arrays = data->GetCellData();
+        arrays->AddArray(float_array("density", frame.density));
+        arrays->AddArray(float_array("solid_fraction", frame.solid_fraction));
+        arrays->AddArray(vector_array("velocity", frame.velocity));
+        arrays->AddArray(float_array("granular_temperature", frame.granular_temperature));
+        arrays->AddArray(float_array("pressure", frame.pressure));
+        arrays->AddArray(tensor_array("contact_stress", frame.contact_stress));
+        arrays->AddArray(tensor_array("kinetic_stress", frame.kinetic_stress));
+        put_instant(data->GetFieldData(), frame);
+        put_provenance(data->GetFieldData(), provenance);
+        bytes = encode<vtkXMLImageDataWriter>(data, path, session);
     }
     write_file(path, bytes);
 }

@@ -37,10 +37,16 @@ void write_walls(const std::filesystem::path& path,
                  const Provenance& provenance);
 
 /// Contacts as lines (.vtp) with the cell arrays overlap, force_normal, force_tangential, i_id,
-/// j_id and wall.
+/// j_id, wall, force, branch, point, i_species and j_species.
 void write_contacts(const std::filesystem::path& path,
                     const ContactFrame& frame,
                     const Provenance& provenance);
+
+/// Fields as image data (.vti) with the cell arrays density, solid_fraction, velocity,
+/// granular_temperature, pressure, contact_stress and kinetic_stress.
+void write_fields(const std::filesystem::path& path,
+                  const FieldFrame& frame,
+                  const Provenance& provenance);
 
 /// One polyline (.vtp) for each traced particle, ordered by id, with the point arrays time,
 /// velocity and id.

@@ -56,6 +56,22 @@ TEST_F(CheckCommand, PrintsWhatTheSceneTurnsOnAndCosts) {
     EXPECT_EQ(folder_.count(), 1U);  // writes nothing
 }
 
+TEST_F(CheckCommand, ListsWhatIsMeasured) {
+    const Answer answer = check(
+        {"--set",
+         R"(/observables/coordination={})",
+         "--set",
+         R"(/observables/regions=[{"name":"r","shape":{"type":"box","low":[0,0,0],"high":[1,1,1]}}])",
+         "--set",
+         R"(/observables/coarse_graining={"box":{"low":[0,0,0],"high":[1,1,1]},"counts":[1,1,1],
+             "reach":0.1})"});
+    EXPECT_THAT(answer.out,
+                AllOf(ContainsRegex("coordination +/observables/coordination\n"),
+                      ContainsRegex("regions +/observables/regions\n"),
+                      ContainsRegex("coarse_graining +/observables/coarse_graining\n"),
+                      Not(HasSubstr("mixing"))));
+}
+
 TEST_F(CheckCommand, JsonHoldsTheNumbersAndAnEffectiveSceneThatReadsBack) {
     const Answer answer = check({"--json",
                                  "--set",
@@ -90,6 +106,11 @@ TEST_F(CheckCommand, WarnsOfWhatCannotAct) {
                 Contains(HasSubstr("/stages/1/motions/0/motion")));
     EXPECT_THAT(warnings({"--set", "/output/frame_interval=3"}),
                 Contains(HasSubstr("/output/frame_interval")));
+    EXPECT_THAT(warnings({"--set",
+                          R"(/groups=[{"name":"a","species":"bead"},{"name":"b"}])",
+                          "--set",
+                          R"(/observables/mixing={"first":"a","second":"b","cell":0.002})"}),
+                Contains(HasSubstr("/observables/mixing/cell does nothing: cells smaller")));
     EXPECT_THAT(warnings({}), Not(Contains(HasSubstr("does nothing"))));
 }
 

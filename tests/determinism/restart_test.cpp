@@ -69,6 +69,7 @@ void expect_same_after_restart(const Scene& scene, const std::vector<Moment>& mo
         EXPECT_EQ(second.state_hash(), straight.state_hash());
         EXPECT_EQ(record.rows, straight_record.rows);
         EXPECT_EQ(record.traces, straight_record.traces);
+        EXPECT_EQ(record.fields, straight_record.fields);
     }
 }
 
@@ -125,6 +126,27 @@ TEST(Restart, ContinuesToTheSameBitsWhereInertiaWasScaled) {
     scene.stages[0].timestep = ScaledTimestep{.value = 2e-5};
     scene.stages[1].timestep = AutomaticTimestep{};
     expect_same_after_restart(scene, {{1400, 0}, {1700, 1}});
+}
+
+TEST(Restart, ContinuesToTheSameRowsAndFieldsOfAllObservables) {
+    Scene scene = thrown_bed();
+    Observables& wanted = scene.observables;
+    wanted.energy.reset();
+    wanted.coordination = CoordinationObservable{};
+    wanted.regions = {{.name = "low",
+                       .shape = BoxShape{{-1.0, -1.0, -1.0}, {1.0, 1.0, -0.01}},
+                       .by = CountBy::group}};
+    wanted.mixing = MixingObservable{.first = "small", .second = "large", .cell = 0.01};
+    wanted.repose = {{.name = "surface",
+                      .surface = HeapSurface{.centre = {}, .inner = 0.0, .outer = 0.02},
+                      .cell = 0.006}};
+    wanted.coarse_graining =
+        CoarseGrainingObservable{.box = {{-0.02, -0.02, -0.03}, {0.02, 0.02, 0.03}},
+                                 .counts = {2, 2, 3},
+                                 .kernel = Kernel::lucy,
+                                 .reach = 0.01};
+    scene.output.field_interval = 0.0007;
+    expect_same_after_restart(scene, {{1401, 0}, {2300, 1}});
 }
 
 /// Each leg begins in a new simulation with what the straight run had there, so that a difference

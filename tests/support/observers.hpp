@@ -18,11 +18,18 @@ inline std::vector<std::uint64_t> bits(const std::vector<double>& row) {
     return result;
 }
 
-/// Keeps every row of the history and every point of the traces.
+/// Keeps every row of the history, every point of the traces, and of all fields density and
+/// pressure.
 class Recorder : public Observer {
 public:
     void on_history(const Simulation& simulation) override {
         rows.push_back(bits(simulation.history_row()));
+    }
+
+    void on_fields(const Simulation& simulation) override {
+        const FieldFrame frame = simulation.field_frame();
+        fields.push_back(bits(frame.density));
+        fields.push_back(bits(frame.pressure));
     }
 
     void on_trace(const Simulation& simulation) override {
@@ -41,6 +48,7 @@ public:
 
     std::vector<std::vector<std::uint64_t>> rows;
     std::vector<std::vector<std::uint64_t>> traces;
+    std::vector<std::vector<std::uint64_t>> fields;
 };
 
 }  // namespace grainbench::test

@@ -13,12 +13,14 @@
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
+#include <vtkXMLImageDataReader.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
@@ -257,12 +259,42 @@ TEST(ContactFile, HoldsOneLinePerContact) {
                                 "force_tangential float 1 " + n,
                                 "i_id long long 1 " + n,
                                 "j_id long long 1 " + n,
-                                "wall int 1 " + n));
+                                "wall int 1 " + n,
+                                "force float 3 " + n,
+                                "branch float 3 " + n,
+                                "point float 3 " + n,
+                                "i_species int 1 " + n,
+                                "j_species int 1 " + n));
         EXPECT_EQ(data->GetFieldData()->GetArray("TimeValue")->GetComponent(0, 0), 0.1);
     }
     const auto data = vtk_read_vtp(folder / "c.vtp");
     EXPECT_EQ(data->GetCellData()->GetArray("force_tangential")->GetRange()[1], 1.5);
     EXPECT_EQ(data->GetBounds()[3], 1.0);
+}
+
+TEST(FieldFile, HoldsOneCellPerCellOfTheGrid) {
+    const TemporaryFolder folder;
+    write_fields(folder / "f.vti", some_fields({3, 1, 2}), some_provenance());
+    const auto data = vtk_read<vtkXMLImageDataReader, vtkImageData>(folder / "f.vti");
+    ASSERT_EQ(data->GetNumberOfCells(), 6);
+    EXPECT_THAT(summary_of(data->GetCellData()),
+                ElementsAre("density float 1 6",
+                            "solid_fraction float 1 6",
+                            "velocity float 3 6",
+                            "granular_temperature float 1 6",
+                            "pressure float 1 6",
+                            "contact_stress float 9 6",
+                            "kinetic_stress float 9 6"));
+    double bounds[6];
+    data->GetBounds(bounds);
+    EXPECT_THAT(bounds, ElementsAre(-1.0, 0.5, 2.0, 2.25, 0.5, 4.5));
+    // The last cell is the one with the largest coordinates, and x runs first.
+    data->GetCellBounds(1, bounds);
+    EXPECT_EQ(bounds[0], -0.5);
+    EXPECT_EQ(data->GetCellData()->GetArray("density")->GetComponent(5, 0), 1.25);
+    EXPECT_EQ(data->GetCellData()->GetArray("contact_stress")->GetComponent(1, 5), 5.0);
+    EXPECT_EQ(data->GetFieldData()->GetArray("TimeValue")->GetComponent(0, 0), 0.1);
+    EXPECT_EQ(text_field(data->GetFieldData(), "scene_hash"), "0123456789abcdef");
 }
 
 TEST(TraceFile, HoldsOnePolylinePerParticle) {

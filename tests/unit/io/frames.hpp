@@ -54,7 +54,12 @@ inline ContactFrame some_contacts(std::size_t count, double time = 0.1) {
                        .j_position = {},
                        .overlap = {},
                        .force_normal = {},
-                       .force_tangential = {}};
+                       .force_tangential = {},
+                       .point = {},
+                       .branch = {},
+                       .force = {},
+                       .i_species = {},
+                       .j_species = {}};
     for (std::size_t k = 0; k < count; ++k) {
         const double x = 0.25 * static_cast<double>(k);
         frame.i_id.push_back(static_cast<std::int64_t>(k) + 1);
@@ -65,6 +70,38 @@ inline ContactFrame some_contacts(std::size_t count, double time = 0.1) {
         frame.overlap.push_back(x);
         frame.force_normal.push_back(2 * x);
         frame.force_tangential.push_back(3 * x);
+        frame.point.push_back({x, 0.5, 0});
+        frame.branch.push_back({0, 1, 0});
+        frame.force.push_back({x, 2 * x, -x});
+        frame.i_species.push_back(0);
+        frame.j_species.push_back(k % 2 == 0 ? -1 : 1);
+    }
+    return frame;
+}
+
+/// A grid of `counts` cells; empty columns if one of them is 0.
+inline FieldFrame some_fields(std::array<Index, 3> counts, double time = 0.1) {
+    FieldFrame frame{.time = time,
+                     .cycle = 7,
+                     .low = {-1, 2, 0.5},
+                     .spacing = {0.5, 0.25, 2},
+                     .counts = counts,
+                     .density = {},
+                     .solid_fraction = {},
+                     .velocity = {},
+                     .granular_temperature = {},
+                     .pressure = {},
+                     .contact_stress = {},
+                     .kinetic_stress = {}};
+    for (Index k = 0; k < counts[0] * counts[1] * counts[2]; ++k) {
+        const double x = 0.25 * k;
+        frame.density.push_back(x);
+        frame.solid_fraction.push_back(2 * x);
+        frame.velocity.push_back({x, 1, -x});
+        frame.granular_temperature.push_back(3 * x);
+        frame.pressure.push_back(4 * x);
+        frame.contact_stress.push_back({x, 1, 2, 3, 4, 5, 6, 7, 8});
+        frame.kinetic_stress.push_back({-x, 0, 0, 0, 0, 0, 0, 0, 0});
     }
     return frame;
 }

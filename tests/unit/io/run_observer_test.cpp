@@ -31,6 +31,12 @@ Scene falling_spheres() {
     scene.stages[0].name = "fall";
     scene.stages[0].duration = 0.02;
     scene.traces.resize(1);
+    scene.observables.coarse_graining =
+        CoarseGrainingObservable{.box = {{-2e-3, -2e-3, 0}, {4e-3, 4e-3, 4e-3}},
+                                 .counts = {2, 2, 2},
+                                 .kernel = Kernel::lucy,
+                                 .reach = 2e-3};
+    scene.output.field_interval = 3e-3;
     scene.output.frame_interval = 5e-3;
     scene.output.history_interval = 1e-3;
     scene.output.trace_interval = 1e-3;
@@ -69,8 +75,8 @@ TEST(RunObserver, KilledAndResumedRunLeavesTheSameFiles) {
             ++count;
         }
     }
-    // 5 frames of 3 files, 3 series, traces; scene, manifest, history, two checkpoints.
-    EXPECT_EQ(count, 24U);
+    // 5 frames of 3 files, 8 fields, 4 series, traces; scene, manifest, history, two checkpoints.
+    EXPECT_EQ(count, 33U);
 }
 
 }  // namespace
