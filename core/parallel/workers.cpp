@@ -7,12 +7,14 @@
 namespace grainbench {
 
 struct Workers::Pool {
+    explicit Pool(unsigned threads) : arena(static_cast<int>(threads)) {}
+
     tbb::task_arena arena;
 };
 
 Workers::Workers(unsigned threads) {
     if (threads > 1) {
-        pool_ = std::make_shared<Pool>(tbb::task_arena(static_cast<int>(threads)));
+        pool_ = std::make_shared<Pool>(threads);
     }
 }
 

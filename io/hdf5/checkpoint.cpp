@@ -15,9 +15,9 @@ std::string group_name(std::size_t realisation) {
 
 void put_archive(const Handle& group, const Archive& archive) {
     for (const auto& [name, column] : archive.columns()) {
-        std::visit(
-            [&]<class T>(const std::vector<T>& values) { put_column<T>(group, name, values); },
-            column);
+        std::visit([&group, &name = name]<class T>(
+                       const std::vector<T>& values) { put_column<T>(group, name, values); },
+                   column);
     }
 }
 
