@@ -6,6 +6,8 @@
 #include "io/vtk/arrays.hpp"
 #include "io/vtk/load.hpp"
 #include "io/vtk/session.hpp"
+#include "io/vtk/vtp_reader.hpp"
+#include "io/vtk/xml_seal.hpp"
 
 #include <vtkAbstractArray.h>
 #include <vtkCell.h>
@@ -17,8 +19,8 @@
 #include <vtkPolyData.h>
 #include <vtkSTLReader.h>
 #include <vtkStringArray.h>
-#include <vtkXMLPolyDataReader.h>
 
+#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 
@@ -34,15 +36,15 @@ namespace {
                      .next_step = "export it again from the program that made it"});
 }
 
-template <class Reader>
-vtkPolyData* load_foreign(Reader* reader,
-                          const std::filesystem::path& path,
-                          const VtkSession& session) {
-    read_file(path);  // a file that cannot be read at all is a matter of the disk
+vtkSmartPointer<vtkPolyData> read_vtp(const std::filesystem::path& path) {
+    const std::string bytes = read_file(path);
+    if (!seal_fits(bytes)) {
+        throw_unusable(path, "its bytes differ from those that were written");
+    }
     try {
-        return load(reader, path, session);
-    } catch (const Error& failure) {
-        throw_unusable(path, failure.diagnosis().what);
+        return polygons_of_vtp(bytes);
+    } catch (const std::exception& failure) {
+        throw_unusable(path, failure.what());
     }
 }
 
@@ -64,6 +66,17 @@ bool is_complete_text_stl(const std::string& bytes) {
     return start != std::string::npos && bytes.compare(start, 5, "solid") == 0 &&
            bytes.find("endsolid", start) != std::string::npos &&
            bytes.find('\0') == std::string::npos;
+}
+
+/// VTK takes a file for binary where one of twenty among its first 256 bytes is no ASCII text, and
+/// then believes whatever number of triangles stands in bytes 80 to 83.
+bool is_text_to_vtk(const std::string& bytes) {
+    const auto end =
+        bytes.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(bytes.size(), 256));
+    const auto binary = std::count_if(bytes.begin(), end, [](signed char c) {
+        return c < ' ' && c != '\n' && c != '\r' && c != '\t';  // 0x80 and more are negative
+    });
+    return 20 * binary < end - bytes.begin();
 }
 
 Vec3 point_of(vtkPoints* points, vtkIdType number) {
@@ -175,22 +188,28 @@ std::vector<std::array<Vec3, 3>> read_stl_triangles(const std::filesystem::path&
     if (!is_complete_binary_stl(bytes) && !is_complete_text_stl(bytes)) {
         throw_unusable(path, "it is no complete STL file");
     }
+    if (!is_complete_binary_stl(bytes) && !is_text_to_vtk(bytes)) {
+        throw_unusable(path,
+                       "too much of its beginning, such as the name of the solid, is not ASCII");
+    }
     const VtkSession session;
     vtkNew<vtkSTLReader> reader;
     reader->MergingOff();
-    return triangles_of(load_foreign(reader.Get(), path, session), path);
+    try {
+        return triangles_of(load(reader.Get(), path, session), path);
+    } catch (const Error& failure) {
+        throw_unusable(path, failure.diagnosis().what);
+    }
 }
 
 std::vector<std::array<Vec3, 3>> read_vtp_triangles(const std::filesystem::path& path) {
     const VtkSession session;
-    vtkNew<vtkXMLPolyDataReader> reader;
-    return triangles_of(load_foreign(reader.Get(), path, session), path);
+    return triangles_of(read_vtp(path), path);
 }
 
 std::vector<FileInsertion::Row> read_point_rows(const std::filesystem::path& path) {
     const VtkSession session;
-    vtkNew<vtkXMLPolyDataReader> reader;
-    vtkPolyData* data = load_foreign(reader.Get(), path, session);
+    const vtkSmartPointer<vtkPolyData> data = read_vtp(path);
     try {
         return rows_of(data, path);
     } catch (const Error&) {

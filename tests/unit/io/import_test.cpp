@@ -224,6 +224,14 @@ TEST(MeshImport, CutAndForeignFilesAreBadInput) {
           std::string("solid\nfacet normal 0 0 1\nouter loop\nvertex a b c\nendsolid\n")}) {
         EXPECT_THAT(mesh_error("m.stl", bytes), StartsWith("bad input: ")) << bytes;
     }
+    // VTK takes a text for binary where many of its first bytes are no ASCII, and then asks for as
+    // much memory as four letters of it say.
+    std::string cyrillic = text_stl(square);
+    for (int k = 0; k < 10; ++k) {
+        cyrillic.insert(6, "\xD1\x82\xD0\xB5\xD0\xBB\xD0\xBE ");
+    }
+    EXPECT_THAT(mesh_error("m.stl", cyrillic),
+                AllOf(StartsWith("bad input: "), HasSubstr("not ASCII")));
     EXPECT_THAT(mesh_error("m.vtp", "garbage"), StartsWith("bad input: "));
     EXPECT_THAT(mesh_error("m.obj", text), AllOf(StartsWith("bad input: "), HasSubstr("'.obj'")));
 }
