@@ -239,22 +239,32 @@ private:
         sub->add_option("STUDY", study_.study, "Study file (JSON)");
         sub->add_option("--suggest", study_.suggest, "Make and run a small study for this scene")
             ->type_name("SCENE");
-        sub->add_flag("--single-contact",
-                      study_.single_contact,
-                      "How errors of one impact fall with the steps in it");
-        sub->add_flag("--stability-map",
-                      study_.stability_map,
-                      "Which steps are stable, and what they do to the energy");
+        CLI::Option* single_contact =
+            sub->add_flag("--single-contact",
+                          study_.single_contact,
+                          "How errors of one impact fall with the steps in it");
+        CLI::Option* stability_map =
+            sub->add_flag("--stability-map",
+                          study_.stability_map,
+                          "Which steps are stable, and what they do to the energy");
         sub->add_option("-o,--output",
                         study_.folder,
                         "Folder of the result; out/<name of the study> if absent");
+        // Neither of the two has runs to keep, to share out or to print as JSON.
         sub->add_option(
-            "--cache", study_.cache, "Folder of run folders to use again; DIR/runs if absent");
+               "--cache", study_.cache, "Folder of run folders to use again; DIR/runs if absent")
+            ->excludes(single_contact)
+            ->excludes(stability_map);
         sub->add_option("--threads", study_.threads, "Runs side by side; all processors if absent")
-            ->check(CLI::Range(1U, 4096U));
-        sub->add_flag("--quick", study_.quick, "A shortened study, to see that it runs");
+            ->check(CLI::Range(1U, 4096U))
+            ->excludes(single_contact)
+            ->excludes(stability_map);
+        sub->add_flag("--quick", study_.quick, "A shortened study, to see that it runs")
+            ->excludes(single_contact);
         sub->add_flag("--quiet", study_.quiet, "No talk but errors");
-        sub->add_flag("--json", study_.json, "Print JSON in place of the table");
+        sub->add_flag("--json", study_.json, "Print JSON in place of the table")
+            ->excludes(single_contact)
+            ->excludes(stability_map);
         finish(*sub, "grainbench study presets/studies/timestep.json --quick", [this] {
             return study_command(study_, streams_);
         });

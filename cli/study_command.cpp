@@ -81,8 +81,9 @@ int run_stability_map(const StudyArguments& arguments, const Streams& streams) {
     const std::filesystem::path folder =
         arguments.folder.empty() ? std::filesystem::path("out/stability-map") : arguments.folder;
     StudyOrigin origin = origin_of(arguments);
-    origin.command = "grainbench study --stability-map";
-    const StabilityMapResult result = study_stability_map();
+    origin.command = arguments.quick ? "grainbench study --stability-map --quick"
+                                     : "grainbench study --stability-map";
+    const StabilityMapResult result = study_stability_map(arguments.quick);
     write_stability_map_folder(result, origin, folder);
     streams.out << stability_map_text(result);
     if (!arguments.quiet) {

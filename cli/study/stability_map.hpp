@@ -20,7 +20,8 @@ struct StabilityMapResult {
     double automatic_step = 0.0;  ///< [s] of that bed
 };
 
-StabilityMapResult study_stability_map();
+/// \param quick 42 points of the map for 650, two steps of the bed for thirteen
+StabilityMapResult study_stability_map(bool quick);
 
 /// Step over critical step against damping ratio, coloured by the error of the energy.
 render::Chart map_chart(const StabilityMapResult& result);

@@ -210,6 +210,31 @@ TEST(SingleContact, WritesTablesAndCharts) {
     }
 }
 
+TEST(StabilityMap, WritesBothCharts) {
+    const TemporaryFolder folder;
+    const Answer answer =
+        invoke({"study", "--stability-map", "--quick", "-o", (folder / "out").string()});
+    ASSERT_EQ(answer.code, 0) << answer.err;
+    // All of them, for none of the 42 lies next to the limit.
+    EXPECT_THAT(answer.out,
+                AllOf(HasSubstr("42 of 42 points"),
+                      ContainsRegex("\n +1e-05 s +[0-9.]+ %\n +2e-05 s +[0-9.]+ %\n$")));
+    for (const std::string name : {"stability-map", "shaken-bed"}) {
+        for (const std::string extension : {".svg", ".png", ".csv"}) {
+            EXPECT_TRUE(io::file_exists(folder / "out" / (name + extension))) << name << extension;
+        }
+    }
+}
+
+TEST(StudyCommandLine, RefusesWhatWouldDoNothing) {
+    for (const char* map : {"--single-contact", "--stability-map"}) {
+        EXPECT_EQ(invoke({"study", map, "--json"}).code, 2);
+        EXPECT_EQ(invoke({"study", map, "--threads", "2"}).code, 2);
+        EXPECT_EQ(invoke({"study", map, "--cache", "somewhere"}).code, 2);
+    }
+    EXPECT_EQ(invoke({"study", "--single-contact", "--quick"}).code, 2);
+}
+
 /// Every file of presets/studies by its name without ".json".
 std::vector<std::string> study_names() {
     std::vector<std::string> names;
