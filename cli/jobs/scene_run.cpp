@@ -92,6 +92,10 @@ public:
         timed([&] { target_->on_frame(simulation); });
     }
 
+    void on_fields(const Simulation& simulation) override {
+        timed([&] { target_->on_fields(simulation); });
+    }
+
     void on_checkpoint(const Simulation& simulation) override {
         timed([&] { target_->on_checkpoint(simulation); });
     }

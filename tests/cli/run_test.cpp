@@ -69,6 +69,20 @@ TEST_F(RunCommand, TellsWhatWasPlacedAndWhatCameOut) {
     EXPECT_GE(history.realisations[0].history.rows(), 20U);
 }
 
+TEST_F(RunCommand, WritesTheFieldsThatAreAskedFor) {
+    const Answer answer =
+        run({"--quiet",
+             "--set",
+             R"(/observables/coarse_graining={"box":{"low":[-0.04,-0.04,0],"high":[0.04,0.04,0.1]},
+                 "counts":[2,2,2],"reach":0.02})",
+             "--set",
+             "/output/field_interval=0.03"});
+    ASSERT_EQ(answer.code, 0) << answer.err;
+    // The start, 0.03 s, 0.06 s, 0.09 s of both stages of 0.1 s, and the end.
+    EXPECT_THAT(io::read_pvd(folder_ / "run" / "realisation-2" / "fields.pvd"), SizeIs(8));
+    EXPECT_TRUE(io::file_exists(folder_ / "run" / "realisation-2" / "fields_000007.vti"));
+}
+
 TEST_F(RunCommand, ManifestIsComplete) {
     const Answer answer = run({"--json", "--quiet", "--threads", "1"});
     EXPECT_THAT(answer.err, IsEmpty());
