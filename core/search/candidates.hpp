@@ -62,10 +62,14 @@ struct PairList {
         pad();
     }
 
-    /// Call once after the last append.
+    /// Call once after the last append, or where `count` has been set. What was behind it in a
+    /// longer list may name particles that are gone.
     void pad() {
-        i.resize((static_cast<std::size_t>(count) + 63) / 64 * 64, 0);
-        j.resize(i.size(), 0);
+        const std::size_t padded = (static_cast<std::size_t>(count) + 63) / 64 * 64;
+        for (Column<Index>* column : {&i, &j}) {
+            column->resize(count);
+            column->resize(padded, 0);
+        }
     }
 
     /// Takes over the columns of those names; every i must be below i_end, and every j below j_end,

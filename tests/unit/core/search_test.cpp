@@ -68,6 +68,24 @@ TEST(Candidates, AreFoundInAPlaneAndOnALine) {
     expect_brute_force_pairs(spheres, 0.0005);
 }
 
+/// The passes read whole words of pairs. A shorter list must not leave particles behind that a
+/// longer one named: they may be gone by then.
+TEST(PairList, NamesNobodyBehindItsEnd) {
+    PairList pairs;
+    for (Index k = 0; k < 200; ++k) {
+        pairs.append(1000 + k, 2000 + k);
+    }
+    pairs.pad();
+    pairs.count = 70;
+    pairs.pad();
+    ASSERT_EQ(pairs.i.size(), 128U);
+    ASSERT_EQ(pairs.j.size(), 128U);
+    for (std::size_t k = 70; k < 128; ++k) {
+        EXPECT_EQ(pairs.i[k], 0U) << k;
+        EXPECT_EQ(pairs.j[k], 0U) << k;
+    }
+}
+
 TEST(Candidates, AreNoneForFewerThanTwoParticles) {
     CandidateFinder finder;
     PairList list;
@@ -205,6 +223,7 @@ TEST(ParticleState, PadsItsColumnsWithRowsThatNeverMoveOrCount) {
                         .frame = {0.0, 0.0, -0.5, 0.0},
                         .kick = 0.1,
                         .drift = 0.1,
+                        .local_damping = 0.0,
                         .few_are_loaded = false,
                         .first = 0,
                         .last = view.count,
