@@ -20,11 +20,11 @@ if [ -d /dev/shm ]; then  # each run writes a file: better into memory
 fi
 status=0
 for target in "$@"; do
-    mkdir -p "build/fuzz/work/$target" build/fuzz/found
+    mkdir -p "build/fuzz/grown/$target" build/fuzz/found
     seeds="tests/fuzz/corpus/$target"
     [ "$target" = scene ] && seeds="$seeds presets/scenes"
     # HDF5 and VTK are not instrumented: what they do is seen only where it crashes or leaks.
-    build/fuzz/tests/fuzz/fuzz_"$target" "build/fuzz/work/$target" $seeds \
+    build/fuzz/tests/fuzz/fuzz_"$target" "build/fuzz/grown/$target" $seeds \
         -max_total_time="$seconds" -timeout=20 -rss_limit_mb=4096 -malloc_limit_mb=2048 \
         -max_len=4096 -print_final_stats=1 -verbosity=0 \
         -artifact_prefix="build/fuzz/found/$target-" > "build/fuzz/$target.log" 2>&1 || status=1
