@@ -53,7 +53,8 @@ void for_each_set(Check&& check) {
 
 /// After a move of particles of which every third is loaded.
 /// \param few whether the pass is told so
-Bytes moved(const Kernels& kernels, Index count, bool few) {
+/// \param damping coefficient of local damping [1]; 0 = the pass that has none
+Bytes moved(const Kernels& kernels, Index count, bool few, double damping = 0.0) {
     RandomParticles p(count, count);
     for (Index n = 0; n < count; ++n) {
         if (n % 3 != 0) {
@@ -67,12 +68,13 @@ Bytes moved(const Kernels& kernels, Index count, bool few) {
                     .frame = {0.5, -0.2, 0.7, 0.0},
                     .kick = 1.1e-5,
                     .drift = 1.3e-5,
+                    .local_damping = damping,
                     .few_are_loaded = few,
                     .first = 0,
                     .last = count,
                     .fastest = {},
                     .velocity_sum = {}};
-    kernels.move(pass);
+    (damping > 0.0 ? kernels.move_damped : kernels.move)(pass);
     return Bytes()
         .add(p.position)
         .add(p.velocity)
@@ -91,6 +93,9 @@ TEST(InstructionSets, MoveAlike) {
                 EXPECT_TRUE(moved(kernels, n, few) == moved(kernels_for("scalar"), n, few))
                     << isa << " " << n;
             }
+            EXPECT_TRUE(moved(kernels, n, false, 0.3) ==
+                        moved(kernels_for("scalar"), n, false, 0.3))
+                << isa << " " << n << ", damped";
         }
     });
 }
