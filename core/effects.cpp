@@ -37,6 +37,9 @@ public:
         for (std::size_t s = 0; s < scene.particles.sinks.size(); ++s) {
             add("sink", at("/particles/sinks", s));
         }
+        if (scene.guards.lost.action == LostAction::remove) {
+            add("deletion_of_lost", "/guards/lost/action");
+        }
         for (std::size_t d = 0; d < scene.driven.size(); ++d) {
             add("driven_group", at("/driven", d));
         }

@@ -1,6 +1,7 @@
 #include "core/engine.hpp"
 
 #include "core/guards/suspect.hpp"
+#include "core/integrate/small_motions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -98,7 +99,8 @@ Engine::Engine(const Scene& scene, std::uint64_t seed, const SimulationOptions& 
       detection_(scene.detection),
       scene_gravity_(scene.gravity.value_or(Vec3{})),
       keep_records_(scene.observables.energy.has_value() || writes_contacts(scene)),
-      walls_(build_walls(scene, materials_)) {
+      walls_(build_walls(scene, materials_)),
+      changes_population_(population_changes(scene)) {
     std::vector<Surface> surfaces;
     for (const WallBody& wall : walls_) {
         surfaces.push_back(wall.surface());
@@ -169,7 +171,7 @@ void Engine::make_periodic(const Periodic& periodic, bool is_reference) {
 }
 
 bool Engine::renumbers() const {
-    return traffic_ || particles_.size() >= scattered_from;
+    return changes_population_ || particles_.size() >= scattered_from;
 }
 
 void Engine::begin_stage(const Stage& stage) {
@@ -307,8 +309,10 @@ void Engine::step() {
         ledger_->end_step(ledger_view(), timestep);
     }
     population_change_.reset();
-    if (traffic_) {
-        let_pass();
+    if (traffic_ && Traffic::is_due(cycle_)) {
+        if (auto change = traffic_->next_change(particles_, walls_, time_)) {
+            exchange(std::move(*change));
+        }
     }
     if (wants_sorting_) {
         wants_sorting_ = false;
@@ -318,16 +322,14 @@ void Engine::step() {
     }
 }
 
-/// Lets sinks and sources act. Contacts of those that stay last; what newcomers may touch is looked
+void Engine::remove(std::span<const Index> slots) {
+    exchange(particles_.departure_of(slots));
+}
+
+/// Lets particles come and go. Contacts of those that stay last; what newcomers may touch is looked
 /// for before the next forces.
-void Engine::let_pass() {
-    if (!Traffic::is_due(cycle_)) {
-        return;
-    }
-    population_change_ = traffic_->next_change(particles_, walls_, time_);
-    if (!population_change_) {
-        return;
-    }
+void Engine::exchange(PopulationChange change) {
+    population_change_ = std::move(change);
     if (ledger_) {
         ledger_->begin_exchange(ledger_view(), timestep_);
     }
@@ -576,6 +578,10 @@ double Engine::compute_touching_limit() {
     return sums_.limit(particles_, *kernels_);
 }
 
+double Engine::compute_growth(double timestep) const {
+    return SmallMotions(particles_, pairs_, walls_, wall_contacts_, table_).growth(timestep);
+}
+
 void Engine::scale_inertia(double step, double safety_factor) {
     for (Index slot = 0; slot < particles_.size(); ++slot) {
         const double limit = safety_factor * sums_.limit_of(particles_, slot);
@@ -713,7 +719,7 @@ void Engine::load(const Archive& archive) {
     fastest_ = {numbers[9], numbers[10], numbers[11]};
     image_shift_ = {numbers[12], numbers[13], numbers[14]};
     distance_when_sorted_ = numbers[15];
-    particles_.load(archive, traffic_.has_value());
+    particles_.load(archive, changes_population_);
     driven_.load(archive, particles_);
     pairs_.load(archive, particles_);
     for (std::size_t w = 0; w < walls_.size(); ++w) {

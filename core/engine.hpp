@@ -58,6 +58,9 @@ public:
     /// Stable step of the touching contacts alone, summed anew [s]; infinite without any.
     double compute_touching_limit();
 
+    /// Factor by which small motions of what touches grow per cycle at a step [s].
+    double compute_growth(double timestep) const;
+
     /// Bound on the way of the last cycle [m], of any particle relative to the bed or to a bounded
     /// wall.
     double travel() const { return travel_; }
@@ -83,13 +86,20 @@ public:
 
     const std::vector<InsertionReport>& insertion_reports() const { return insertion_reports_; }
 
+    /// Whether particles may come or go.
+    bool changes_population() const { return changes_population_; }
+
     /// Whether slots may come to mean other particles than at the start.
     bool renumbers() const;
+
+    /// Deletes those in some slots, in ascending order; population_change() says who has which slot
+    /// then.
+    void remove(std::span<const Index> slots);
 
     /// Puts slots in spatial order. It happens by itself in large scenes whose particles mix.
     void sort_slots();
 
-    /// Who came, went or got another slot in the last cycle; null if nobody did.
+    /// Who came, went or got another slot in the last cycle, or after it; null if nobody did.
     const PopulationChange* population_change() const {
         return population_change_ ? &*population_change_ : nullptr;
     }
@@ -141,7 +151,7 @@ private:
     bool has_left_its_period() const;
     void renew_images();
     void measure_bed();
-    void let_pass();
+    void exchange(PopulationChange change);
     void renumber(const PopulationChange& change);
     bool is_scattered();
     void change_drives(const Stage& stage);
@@ -186,6 +196,7 @@ private:
     std::vector<InsertionReport> insertion_reports_;
     PhaseWatch* phase_watch_ = nullptr;
 
+    bool changes_population_ = false;
     bool started_ = false;
     bool wants_sorting_ = false;
     double distance_when_sorted_ =

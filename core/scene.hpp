@@ -101,4 +101,10 @@ struct Scene {
     }
 };
 
+/// Whether particles may come or go while the scene runs.
+inline bool population_changes(const Scene& scene) {
+    return !scene.particles.sinks.empty() || !scene.particles.sources.empty() ||
+           scene.guards.lost.action == LostAction::remove;
+}
+
 }  // namespace grainbench

@@ -88,6 +88,7 @@ struct Simulation::Impl {
     void enter_stage(std::size_t next);
     void begin_intervals();
     void follow(const PopulationChange& change);
+    void delete_lost();
     void save_membership(Archive& archive) const;
     void load_membership(const Archive& archive);
     void observe();
@@ -143,8 +144,13 @@ void Simulation::Impl::name_columns() {
     if (elevation) {
         elevation->name_columns(columns);
     }
-    if (const Traffic* traffic = engine.traffic()) {
+    if (engine.changes_population()) {
         columns.push_back({"particles", "1", "in the scene"});
+    }
+    if (scene.guards.lost.action == LostAction::remove) {
+        columns.push_back({"lost", "1", "particles that left and were deleted so far"});
+    }
+    if (const Traffic* traffic = engine.traffic()) {
         for (const auto* passages : {&traffic->came(), &traffic->went()}) {
             for (const Passage& passage : *passages) {
                 columns.push_back({passage.name + ".count", "1", "spheres that passed so far"});
@@ -203,6 +209,14 @@ void Simulation::Impl::follow(const PopulationChange& change) {
         elevation->renumber(change);
     }
     guards.change_population(engine, change);
+}
+
+void Simulation::Impl::delete_lost() {
+    const std::vector<Index> lost = guards.take_lost();
+    if (!lost.empty()) {
+        engine.remove(lost);
+        follow(*engine.population_change());
+    }
 }
 
 /// Who belongs to what cannot be told from a scene whose particles come and go.
@@ -327,6 +341,7 @@ bool Simulation::advance(std::uint64_t cycles, Observer& observer) {
         }
         s.observe();
         s.guards.after_step(s.engine);
+        s.delete_lost();
         // The very last cycle is reported in full below, once.
         if (s.engine.time() < s.stage_end || s.stage + 1 < s.scene.stages.size()) {
             s.report_due(observer, *this);
@@ -525,8 +540,13 @@ std::vector<double> Simulation::history_row() const {
     if (s.elevation) {
         s.elevation->append_row(view, row);
     }
-    if (const Traffic* traffic = s.engine.traffic()) {
+    if (s.engine.changes_population()) {
         row.push_back(static_cast<double>(particle_count()));
+    }
+    if (s.scene.guards.lost.action == LostAction::remove) {
+        row.push_back(static_cast<double>(s.guards.lost_count()));
+    }
+    if (const Traffic* traffic = s.engine.traffic()) {
         for (const auto* passages : {&traffic->came(), &traffic->went()}) {
             for (const Passage& passage : *passages) {
                 row.push_back(static_cast<double>(passage.count));

@@ -256,7 +256,8 @@ LawView ContactTable::view(double timestep) const {
 ContactStiffness ContactTable::stiffness(Index material_i,
                                          Index material_j,
                                          double radius_i,
-                                         double radius_j) const {
+                                         double radius_j,
+                                         std::optional<double> overlap) const {
     const std::size_t pair = material_i * materials_ + material_j;
     const std::size_t pairs = static_cast<std::size_t>(materials_) * materials_;
     Geometry<double> g{};
@@ -269,7 +270,8 @@ ContactStiffness ContactTable::stiffness(Index material_i,
             return values_[static_cast<std::size_t>(step_factor_count + k) * pairs + pair];
         });
         if constexpr (grows_with_overlap<Law>) {
-            g.overlap = Law::expected_overlap(values, impact_, g.effective_radius);
+            g.overlap =
+                overlap ? *overlap : Law::expected_overlap(values, impact_, g.effective_radius);
         }
         const double* no_history = nullptr;
         Law::apply(values, g, no_history, static_cast<double*>(nullptr), load);

@@ -6,6 +6,7 @@
 #include "core/kernels/kernels.hpp"
 #include "core/scene.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -86,11 +87,13 @@ public:
 
     LawView view(double timestep) const;
 
-    /// Of a contact between two materials with these radii; radius_j = 0 means a wall.
+    /// Of a contact between two materials with these radii; radius_j = 0 means a wall. Where
+    /// contacts stiffen, at that overlap [m], or as expect_impacts() says if there is none.
     ContactStiffness stiffness(Index material_i,
                                Index material_j,
                                double radius_i,
-                               double radius_j) const;
+                               double radius_j,
+                               std::optional<double> overlap = std::nullopt) const;
 
     StepStiffness step_stiffness(Index material_i,
                                  Index material_j,
@@ -112,6 +115,11 @@ public:
     std::pair<double, double> damping(Index material_i, Index material_j) const {
         const std::size_t pair = static_cast<std::size_t>(material_i) * materials_ + material_j;
         return {damping_[2 * pair], damping_[2 * pair + 1]};
+    }
+
+    /// Stiffness of unloading over that of loading [1]: above 1 where springs yield.
+    double unloading_growth(Index material_i, Index material_j) const {
+        return growth_[static_cast<std::size_t>(material_i) * materials_ + material_j];
     }
 
     /// For each column of the history of `next`, the column of `before` that holds the same

@@ -21,6 +21,18 @@ struct EnumNames<GuardAction> {
          {GuardAction::ignore, "ignore"}}};
 };
 
+/// What is done about a particle that left.
+enum class LostAction { stop, warn, remove, ignore };
+
+template <>
+struct EnumNames<LostAction> {
+    static constexpr std::array<std::pair<LostAction, std::string_view>, 4> value{
+        {{LostAction::stop, "stop"},
+         {LostAction::warn, "warn"},
+         {LostAction::remove, "delete"},
+         {LostAction::ignore, "ignore"}}};
+};
+
 /// Two bodies deep inside each other: the contact is too soft for its load, or began that way.
 struct OverlapGuard {
     double bound = 0.5;
@@ -53,19 +65,22 @@ struct SpeedGuard {
     }
 };
 
-/// A step above what the touching contacts can bear: the estimate of the automatic step stays below
-/// the true limit by a factor of up to two.
+/// A step above what the touching contacts can bear: small motions grow from cycle to cycle, or the
+/// step is far above the estimate of the automatic step, which stays below the true limit by a
+/// factor of up to two.
 struct TimestepGuard {
     double bound = 2.0;
     GuardAction action = GuardAction::warn;
 
     static constexpr auto fields() {
         return std::tuple{
-            field(&TimestepGuard::bound,
-                  "bound",
-                  "1",
-                  positive(),
-                  "largest step over the estimated stable one of the contacts that touch"),
+            field(
+                &TimestepGuard::bound,
+                "bound",
+                "1",
+                positive(),
+                "largest step over the estimated stable one of the contacts that touch; below it, "
+                "motions that grow are looked for"),
             field(&TimestepGuard::action, "action", "", any_number(), "stop or warn")};
     }
 };
@@ -102,7 +117,7 @@ struct LateContactGuard {
 /// Particles that left the domain, a closed wall that held them, or their side of a plane.
 struct LostGuard {
     std::optional<Box> domain;
-    GuardAction action = GuardAction::warn;
+    LostAction action = LostAction::warn;
 
     static constexpr auto fields() {
         return std::tuple{field(&LostGuard::domain,
@@ -110,7 +125,11 @@ struct LostGuard {
                                 "m",
                                 any_number(),
                                 "box that centres stay in; absent = closed walls and planes alone"),
-                          field(&LostGuard::action, "action", "", any_number(), "stop or warn")};
+                          field(&LostGuard::action,
+                                "action",
+                                "",
+                                any_number(),
+                                "stop, warn, or delete them and count them in the history")};
     }
 };
 

@@ -1,6 +1,7 @@
 #include "core/guards/watch.hpp"
 
 #include "core/guards/suspect.hpp"
+#include "core/integrate/small_motions.hpp"
 #include "core/walls/bounds.hpp"
 
 #include <algorithm>
@@ -95,7 +96,7 @@ std::pair<Index, double> deepest_contact(const Engine& engine) {
 
 GuardWatch::GuardWatch(const Scene& scene, Engine& engine)
     : guards_(scene.guards),
-      population_changes_(Traffic::is_in(scene)),
+      population_changes_(population_changes(scene)),
       gravity_(scene.gravity.value_or(Vec3{})) {
     for (const Species& species : scene.particles.species) {
         density_.push_back(species.density);
@@ -196,13 +197,15 @@ void GuardWatch::after_step(Engine& engine) {
     if (way_ > 0.5 * guards_.overlap.bound * engine.particles().smallest_radius()) {
         check_overlap(engine);
     }
-    if (engine.cycle() % (2 * interval) == 0) {
-        check_timestep(engine);
-    }
+    check_timestep(engine);
     if (is_due(engine.cycle())) {
         look(engine);
         if (engine.has_records() && watches_energy(engine)) {
             check_energy(engine);
+        }
+        // At these cycles alone, so that when checkpoints are written does not change a run.
+        if (guards_.lost.action == LostAction::remove) {
+            check_lost(engine);
         }
     }
 }
@@ -211,7 +214,9 @@ void GuardWatch::look(const Engine& engine) {
     check_finite(engine);
     check_overlap(engine);
     check_late(engine);
-    check_lost(engine);
+    if (guards_.lost.action != LostAction::remove) {
+        check_lost(engine);
+    }
     if (!has_budget_ && engine.has_records() && watches_energy(engine)) {
         check_energy(engine);
     }
@@ -318,27 +323,64 @@ void GuardWatch::check_finite(const Engine& engine) const {
     }
 }
 
+/// Looks at the estimate where the step was not chosen by it, and at the motions themselves where
+/// the estimate says so, now and then, in the first cycles of a stage, and again where they grew.
 void GuardWatch::check_timestep(Engine& engine) {
-    const auto* automatic = std::get_if<AutomaticTimestep>(&engine.scheme());
     if (guards_.timestep.action == GuardAction::ignore ||
-        std::holds_alternative<ScaledTimestep>(engine.scheme()) ||
-        (automatic != nullptr && automatic->safety_factor <= guards_.timestep.bound)) {
+        std::holds_alternative<ScaledTimestep>(engine.scheme())) {
         return;
     }
+    bool is_suspect = early_looks_ > 0 || engine.cycle() % long_interval == 0 ||
+                      (grows_ && is_due(engine.cycle()));
+    early_looks_ -= early_looks_ > 0 ? 1 : 0;
+    const auto* automatic = std::get_if<AutomaticTimestep>(&engine.scheme());
+    const bool is_chosen =
+        automatic != nullptr && automatic->safety_factor <= std::min(guards_.timestep.bound, 1.0);
+    if (!is_chosen && engine.cycle() % (2 * interval) == 0) {
+        is_suspect = check_estimate(engine) > 1.0 || is_suspect;
+    }
+    if (is_suspect) {
+        check_growth(engine);
+    }
+}
+
+/// The step over its estimate [1].
+double GuardWatch::check_estimate(Engine& engine) {
     const double limit = engine.compute_touching_limit();
     const double ratio = engine.timestep() / limit;
-    if (!(ratio > guards_.timestep.bound)) {
-        return;
+    if (ratio > guards_.timestep.bound) {
+        act(guards_.timestep.action,
+            engine,
+            {.what = "the step is " + text_of(ratio) + " times the estimated stable one, " +
+                     text_of(limit) + " s",
+             .where = circumstances(engine, std::nullopt),
+             .likely_cause = "a particle has more contacts, or stiffer ones, than the step was "
+                             "chosen for",
+             .next_step = "leave out /timestep to have it chosen, or set it to " +
+                          text_of(guards_.timestep.bound * limit) + " s or less"},
+            timestep_warning_);
     }
+    return ratio;
+}
+
+void GuardWatch::check_growth(const Engine& engine) {
+    const double growth = engine.compute_growth(engine.timestep());
+    const bool grew = std::exchange(grows_, growth > SmallMotions::least_growth);
+    if (!grows_ || !grew) {
+        return;  // or it is but the moment in which many meet
+    }
+    // An undamped mode of frequency w grows by g where (w dt)^2 = 2 + g + 1/g.
+    const double critical = 2.0 * engine.timestep() / std::sqrt(2.0 + growth + 1.0 / growth);
     act(guards_.timestep.action,
         engine,
-        {.what = "the step is " + text_of(ratio) + " times the estimated stable one, " +
-                 text_of(limit) + " s",
+        {.what = "small motions grow by " + text_of(growth) +
+                 " per cycle: the step is above the critical one of what touches, some " +
+                 text_of(critical) + " s",
          .where = circumstances(engine, std::nullopt),
-         .likely_cause = "a particle has more contacts, or stiffer ones, than the step was chosen "
-                         "for",
-         .next_step = "leave out /timestep to have it chosen, or set it to " +
-                      text_of(guards_.timestep.bound * limit) + " s or less"},
+         .likely_cause = "a particle has more contacts, or stiffer ones, or stronger dashpots, "
+                         "than the step was chosen for",
+         .next_step =
+             "set /timestep to less than " + text_of(critical) + " s, or lower its safety factor"},
         timestep_warning_);
 }
 
@@ -400,7 +442,7 @@ bool GuardWatch::is_lost(const Engine& engine, Index slot) const {
 }
 
 void GuardWatch::check_lost(const Engine& engine) {
-    if (guards_.lost.action == GuardAction::ignore || (holds_.empty() && !guards_.lost.domain)) {
+    if (guards_.lost.action == LostAction::ignore || (holds_.empty() && !guards_.lost.domain)) {
         return;
     }
     for (Index slot = 0; slot < engine.particles().size(); ++slot) {
@@ -410,7 +452,9 @@ void GuardWatch::check_lost(const Engine& engine) {
         }
         lost = 1;
         ++lost_count_;
-        if (guards_.lost.action == GuardAction::stop) {
+        if (guards_.lost.action == LostAction::remove) {
+            leaving_.push_back(slot);
+        } else if (guards_.lost.action == LostAction::stop) {
             std::string unused;
             act(GuardAction::stop,
                 engine,
@@ -498,7 +542,8 @@ std::vector<std::string> GuardWatch::warnings(const Engine& engine) const {
     }
     if (lost_count_ > 0) {
         all.push_back(std::to_string(lost_count_) +
-                      " particles left the domain, or the wall that held them");
+                      " particles left the domain, or the wall that held them" +
+                      (guards_.lost.action == LostAction::remove ? ", and were deleted" : ""));
     }
     return all;
 }
@@ -511,9 +556,11 @@ void GuardWatch::save(Archive& archive) const {
                                     turnover_,
                                     potential_,
                                     way_,
+                                    grows_ ? 1.0 : 0.0,
                                     gravity_.x,
                                     gravity_.y,
                                     gravity_.z});
+    archive.put("guards/early_looks", early_looks_);
     archive.put("guards/wall_load", wall_load_);
     archive.put("guards/lost", lost_);
     for (std::size_t h = 0; h < holds_.size() && population_changes_; ++h) {
@@ -529,14 +576,16 @@ void GuardWatch::save(Archive& archive) const {
 }
 
 void GuardWatch::load(const Archive& archive) {
-    const auto& numbers = archive.get<double>("guards/numbers", 9);
+    const auto& numbers = archive.get<double>("guards/numbers", 10);
     has_budget_ = numbers[0] != 0.0;
     budget_ = numbers[1];
     supplied_ = numbers[2];
     turnover_ = numbers[3];
     potential_ = numbers[4];
     way_ = numbers[5];
-    gravity_ = {numbers[6], numbers[7], numbers[8]};
+    grows_ = numbers[6] != 0.0;
+    gravity_ = {numbers[7], numbers[8], numbers[9]};
+    early_looks_ = archive.count("guards/early_looks");
     wall_load_ = archive.get<double>("guards/wall_load", wall_load_.size());
     lost_ = population_changes_ ? archive.get<std::uint8_t>("guards/lost")
                                 : archive.get<std::uint8_t>("guards/lost", lost_.size());

@@ -61,9 +61,7 @@ Traffic::Traffic(const Scene& scene, std::uint64_t seed) : sinks_(scene.particle
 std::optional<PopulationChange> Traffic::next_change(const ParticleState& particles,
                                                      std::span<const WallBody> walls,
                                                      double time) {
-    PopulationChange change;
-    change.slot_after.resize(particles.size());
-    let_out(particles, change);
+    PopulationChange change = particles.departure_of(let_out(particles));
     let_in(particles, walls, time, change);
     if (change.leavers.empty() && change.newcomers.empty()) {
         return std::nullopt;
@@ -71,26 +69,22 @@ std::optional<PopulationChange> Traffic::next_change(const ParticleState& partic
     return change;
 }
 
-void Traffic::let_out(const ParticleState& particles, PopulationChange& change) {
-    Index next = 0;
+/// Counts those that lie in a sink, and returns their slots.
+std::vector<Index> Traffic::let_out(const ParticleState& particles) {
+    std::vector<Index> caught;
     for (Index slot = 0; slot < particles.size(); ++slot) {
         const Vec3 p = particles.box().wrapped(particles.position(slot));
         const auto sink = std::find_if(
             sinks_.begin(), sinks_.end(), [&](const Sink& one) { return catches(one, p); });
         if (sink == sinks_.end()) {
-            change.slot_after[slot] = next++;
             continue;
         }
-        change.slot_after[slot] = PopulationChange::gone;
-        change.leavers.push_back({.species = particles.species(slot),
-                                  .radius = particles.radius(slot),
-                                  .position = p,
-                                  .velocity = particles.velocity(slot),
-                                  .angular_velocity = particles.spin(slot)});
+        caught.push_back(slot);
         Passage& passage = went_[static_cast<std::size_t>(sink - sinks_.begin())];
         ++passage.count;
         passage.mass += particles.mass(slot);
     }
+    return caught;
 }
 
 /// Spheres that should be there by now and are not.

@@ -63,7 +63,7 @@ private:
         std::uint64_t draws = 0;  ///< random numbers used
     };
 
-    void let_out(const ParticleState& particles, PopulationChange& change);
+    std::vector<Index> let_out(const ParticleState& particles);
     void let_in(const ParticleState& particles,
                 std::span<const WallBody> walls,
                 double time,

@@ -184,6 +184,27 @@ PopulationChange ParticleState::spatial_order() const {
     return change;
 }
 
+PopulationChange ParticleState::departure_of(std::span<const Index> leaving) const {
+    PopulationChange change;
+    change.slot_after.resize(size_);
+    auto next_to_leave = leaving.begin();
+    Index next = 0;
+    for (Index slot = 0; slot < size_; ++slot) {
+        if (next_to_leave == leaving.end() || *next_to_leave != slot) {
+            change.slot_after[slot] = next++;
+            continue;
+        }
+        ++next_to_leave;
+        change.slot_after[slot] = PopulationChange::gone;
+        change.leavers.push_back({.species = species(slot),
+                                  .radius = radius(slot),
+                                  .position = box_.wrapped(position(slot)),
+                                  .velocity = velocity(slot),
+                                  .angular_velocity = spin(slot)});
+    }
+    return change;
+}
+
 ParticleView ParticleState::view() {
     return {position_.data(),
             velocity_.data(),

@@ -76,6 +76,10 @@ public:
     /// The change that would put all slots in spatial order again.
     PopulationChange spatial_order() const;
 
+    /// The change by which those in some slots go.
+    /// \param leaving in ascending order
+    PopulationChange departure_of(std::span<const Index> leaving) const;
+
     /// Lets particles go and others come, or have other slots.
     void change_population(const PopulationChange& change);
 

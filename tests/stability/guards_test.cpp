@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace grainbench::test {
@@ -102,7 +103,7 @@ TEST(Guards, CountWhatLeftTheDomainOrItsSideOfAPlane) {
     Scene scene = ball_over_floor(0.5, 1.0, 1e-4);
     scene.guards.lost.domain = Box{{-1.0, -1.0, 0.45}, {1.0, 1.0, 1.0}};
     EXPECT_THAT(warnings_of(scene), testing::ElementsAre(HasSubstr("1 particles left the domain")));
-    scene.guards.lost.action = GuardAction::stop;
+    scene.guards.lost.action = LostAction::stop;
     EXPECT_THAT(stopped_with(scene), HasSubstr("has left the domain"));
     // Through a floor that is too soft to turn it round.
     Scene soft = ball_over_floor(0.0101, 300.0, 1e-5);
@@ -110,10 +111,74 @@ TEST(Guards, CountWhatLeftTheDomainOrItsSideOfAPlane) {
     EXPECT_THAT(warnings_of(soft), testing::ElementsAre(HasSubstr("1 particles left")));
 }
 
+/// Two that touch and stay, one that rises out of the domain.
+Scene one_leaves_two() {
+    Scene scene = ball_over_floor(0.0, 0.0, 1e-4);
+    scene.particles.insertion = {ListInsertion{
+        {{.species = "ball", .position = {0.0, 0.0, 0.1}, .velocity = {0.0, 0.0, 10.0}},
+         {.species = "ball", .position = {0.0, 0.0, 0.01}},
+         {.species = "ball", .position = {0.0199, 0.0, 0.01}}}}};
+    scene.contact.damping = ViscousDamping::Params{.normal = 0.1, .shear = 0.1};
+    scene.guards.lost.domain = Box{{-1.0, -1.0, -1.0}, {1.0, 1.0, 0.2}};
+    scene.guards.lost.action = LostAction::remove;
+    return scene;
+}
+
+TEST(Guards, DeleteAndCountTheLostWhereTheSceneSaysSo) {
+    const Scene scene = one_leaves_two();
+    Simulation simulation(scene, 0);
+    Observer nothing;
+    simulation.advance(1U << 30U, nothing);
+    EXPECT_EQ(simulation.particle_count(), 2U);
+    const auto& columns = simulation.history_columns();
+    const auto lost = std::find_if(columns.begin(), columns.end(), [](const HistoryColumn& one) {
+        return one.name == "lost";
+    });
+    ASSERT_NE(lost, columns.end());
+    EXPECT_EQ(simulation.history_row()[static_cast<std::size_t>(lost - columns.begin())], 1.0);
+    EXPECT_THAT(simulation.summary().warnings, testing::ElementsAre(HasSubstr("were deleted")));
+    const ParticleFrame frame = simulation.particle_frame();
+    EXPECT_THAT(frame.id, testing::ElementsAre(2, 3));
+
+    // Those that stay go their way as if there had never been a third.
+    Scene others = scene;
+    std::get<ListInsertion>(others.particles.insertion[0])
+        .particles.erase(std::get<ListInsertion>(others.particles.insertion[0]).particles.begin());
+    Simulation without(others, 0);
+    without.advance(1U << 30U, nothing);
+    EXPECT_EQ(without.particle_frame().position[0], frame.position[0]);
+    EXPECT_EQ(without.particle_frame().position[1], frame.position[1]);
+}
+
+TEST(Guards, DeleteTheSameAfterARestart) {
+    const Scene scene = one_leaves_two();
+    Simulation straight(scene, 0);
+    Observer nothing;
+    straight.advance(1U << 30U, nothing);
+    for (const std::uint64_t saved_at : {0U, 200U, 256U, 700U}) {  // the ball goes at cycle 256
+        Simulation first(scene, 0);
+        first.advance(saved_at, nothing);
+        Archive archive;
+        first.save(archive);
+        Simulation second(scene, 0);
+        second.load(archive);
+        second.advance(1U << 30U, nothing);
+        EXPECT_EQ(second.state_hash(), straight.state_hash()) << "saved at cycle " << saved_at;
+    }
+}
+
+TEST(Guards, WarnOfAStepBarelyAboveTheCriticalOne) {
+    // For large balls among many small ones that stick: 1.01 of the critical step at times.
+    EXPECT_THAT(warnings_of(shaken_bed()),
+                testing::ElementsAre(HasSubstr("small motions grow by 1.3")));
+}
+
 TEST(Guards, AreSilentInAShakenBed) {
-    EXPECT_TRUE(warnings_of(shaken_bed()).empty());
-    EXPECT_TRUE(warnings_of(gas_in_box(1)).empty());
-    EXPECT_TRUE(warnings_of(thrown_bed()).empty());
+    Scene bed = shaken_bed();
+    bed.timestep = FixedTimestep{.value = 8e-6};
+    EXPECT_THAT(warnings_of(bed), testing::IsEmpty());
+    EXPECT_THAT(warnings_of(gas_in_box(1)), testing::IsEmpty());
+    EXPECT_THAT(warnings_of(thrown_bed()), testing::IsEmpty());
 }
 
 }  // namespace

@@ -93,18 +93,30 @@ void check_chain(Checks& checks) {
 }
 
 /// Physics reference 2.3: the tangential limit of a sticking pair is 2 / sqrt(7 k / m). Friction is
-/// so high that an unstable pair is thrown apart by far more energy than what squeezes it.
+/// so high that an unstable pair is thrown apart by far more energy than what squeezes it. Where it
+/// is not, slipping bounds the energy, and the guard of the step speaks.
 void check_sticking(Checks& checks) {
+    const double critical = 2.0 / std::sqrt(7.0 * stiffness / mass);
+    const auto pair = [](double friction, double dt) {
+        return row(2,
+                   dt,
+                   {.normal = stiffness, .shear = stiffness, .friction = friction},
+                   stiffness,
+                   true);
+    };
     check_steps(
-        checks,
-        [](double dt) {
-            return row(2,
-                       dt,
-                       {.normal = stiffness, .shear = stiffness, .friction = 1000.0},
-                       stiffness,
-                       true);
-        },
-        2.0 / std::sqrt(7.0 * stiffness / mass));
+        checks, [&](double dt) { return pair(1000.0, dt); }, critical);
+    for (const double friction : {0.5, 10.0}) {
+        for (const double factor : {0.95, 1.1, 1.25, 1.5}) {
+            Run run(pair(friction, factor * critical));
+            const Ending ending = watch(run, patience);
+            const bool is_named = ending.stopped || !run.simulation().summary().warnings.empty();
+            checks.add_claim((factor < 1.0 ? "nothing is said" : "stopped or warned of") +
+                                 std::string(" within 1000 cycles, at ") + text_of(factor) +
+                                 " of the critical step and a friction of " + text_of(friction),
+                             is_named == (factor > 1.0));
+        }
+    }
 }
 
 /// A packing at rest, with friction and damping, from a lattice that fell into a box.
@@ -156,7 +168,8 @@ void check_packing(Checks& checks) {
         }
         return run;
     };
-    for (const double factor : below) {
+    // Dashpots of many contacts of one ball make the true limit 0.82 of the estimate here.
+    for (const double factor : {0.2, 0.5, 0.8, 0.9}) {
         Run run = continued(factor);
         const Ending ending = watch(run, checks.is_full() ? 200'000 : 3'000);
         checks.add_claim("runs on at " + text_of(factor) + " of the estimated stable step",
@@ -170,9 +183,9 @@ void check_packing(Checks& checks) {
             "1",
             factor < 0.9 ? 1e-12 : 1e-5,
             held.energy / (216.0 * mass * 9.8 * r),
-            factor < 0.9 ? "round-off of forces: at rest" : "some contacts are at their limit");
+            factor < 0.9 ? "round-off of forces: at rest" : "some modes grow until they slip");
     }
-    for (const double factor : {2.5, 3.0, 4.0}) {
+    for (const double factor : {0.95, 1.1, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0}) {
         Run run = continued(factor);
         const Ending ending = watch(run, patience);
         checks.add_claim("stopped or warned of within 1000 cycles, at " + text_of(factor) +

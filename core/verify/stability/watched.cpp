@@ -64,7 +64,7 @@ void silence_guards(Scene& scene) {
     scene.guards.speed.action = GuardAction::ignore;
     scene.guards.energy.action = GuardAction::ignore;
     scene.guards.late_contacts.action = GuardAction::ignore;
-    scene.guards.lost.action = GuardAction::ignore;
+    scene.guards.lost.action = LostAction::ignore;
 }
 
 double Noise::next() {

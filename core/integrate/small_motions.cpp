@@ -1,0 +1,159 @@
+#include "core/integrate/small_motions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace grainbench {
+
+namespace {
+
+/// Cycles in which the fastest mode comes forth, and those over which its growth is measured.
+constexpr int first_cycles = 8;
+constexpr int measured_cycles = 6;
+
+}  // namespace
+
+SmallMotions::SmallMotions(const ParticleState& particles,
+                           const PairContacts& pairs,
+                           std::span<const WallBody> walls,
+                           std::span<const WallContacts> wall_contacts,
+                           const ContactTable& table) {
+    for (Index slot = 0; slot < particles.size(); ++slot) {
+        inverse_mass_.push_back(particles.inverse_mass(slot));
+        inverse_inertia_.push_back(particles.inverse_inertia(slot));
+    }
+    for (const TouchingContact contact : pairs.touching()) {
+        const Index i = pairs.objects().i[contact.place()];
+        const Index j = pairs.objects().j[contact.place()];
+        const Vec3 apart = particles.position(j) - particles.position(i);
+        const double distance = norm(apart);
+        if (distance > 0.0) {
+            const double overlap = particles.radius(i) + particles.radius(j) - distance;
+            add({.i = particles.owner(i),
+                 .j = particles.owner(j),
+                 .normal = (1.0 / distance) * apart,
+                 .arm_i = particles.radius(i) - 0.5 * overlap,
+                 .arm_j = particles.radius(j) - 0.5 * overlap},
+                particles.species(particles.owner(j)),
+                overlap,
+                particles,
+                table);
+        }
+    }
+    for (std::size_t w = 0; w < walls.size(); ++w) {
+        const WallContacts& contacts = wall_contacts[w];
+        for (Index t = 0; t < contacts.touching_count(); ++t) {
+            const Index i = contacts.particle(t);
+            add({.i = i, .j = no_slot, .normal = contacts.normal(t), .arm_i = contacts.distance(t)},
+                walls[w].material(),
+                particles.radius(i) - contacts.distance(t),
+                particles,
+                table);
+        }
+    }
+}
+
+void SmallMotions::add(Spring spring,
+                       Index material_j,
+                       double overlap,
+                       const ParticleState& particles,
+                       const ContactTable& table) {
+    const bool is_wall = spring.j == no_slot;
+    const double inverse_mass = inverse_mass_[spring.i] + (is_wall ? 0.0 : inverse_mass_[spring.j]);
+    const double radius_i = particles.radius(spring.i);
+    const double radius_j = is_wall ? 0.0 : particles.radius(spring.j);
+    const Index material_i = particles.species(spring.i);
+    if (inverse_mass == 0.0 || overlap < 0.0) {
+        return;  // both are driven, or only cohesion acts
+    }
+    spring.stiffness = table.stiffness(material_i, material_j, radius_i, radius_j, overlap);
+    if (!table.has_friction()) {
+        spring.stiffness.shear = 0.0;
+    }
+    const auto [ratio_n, ratio_s] = table.damping(material_i, material_j);
+    spring.damping_n = 2.0 * ratio_n * std::sqrt(spring.stiffness.normal / inverse_mass);
+    spring.damping_s = 2.0 * ratio_s * std::sqrt(spring.stiffness.shear / inverse_mass);
+    spring.stiffness.normal *= table.unloading_growth(material_i, material_j);
+    const double effective_radius =
+        is_wall ? radius_i : radius_i * radius_j / (radius_i + radius_j);
+    const double turning = spring.stiffness.shear * effective_radius * effective_radius;
+    spring.rolling = table.rolling_ratio() * turning;
+    spring.twisting = table.twisting_ratio() * turning;
+    springs_.push_back(spring);
+}
+
+double SmallMotions::growth(double timestep) const {
+    const std::size_t size = inverse_mass_.size();
+    std::vector<Motion> way(size);
+    std::vector<Motion> velocity(size);
+    std::vector<Motion> load(size);
+    std::minstd_rand random(1);
+    const auto noise = [&] { return static_cast<double>(random()) / 1e9 - 1.0; };
+    for (std::size_t slot = 0; slot < size; ++slot) {
+        if (inverse_mass_[slot] > 0.0) {
+            // Equal parts of energy, whatever the size of the particle.
+            const double linear = std::sqrt(inverse_mass_[slot]);
+            const double angular = std::sqrt(inverse_inertia_[slot]);
+            velocity[slot] = {{linear * noise(), linear * noise(), linear * noise()},
+                              {angular * noise(), angular * noise(), angular * noise()}};
+        }
+    }
+    const Motion still{};
+    /// Relative motion of the surfaces at a contact.
+    const auto at_contact = [](const Spring& spring, const Motion& of_i, const Motion& of_j) {
+        return of_j.linear - of_i.linear -
+               cross(spring.arm_i * of_i.angular + spring.arm_j * of_j.angular, spring.normal);
+    };
+    /// Root of the kinetic energy, times the root of two.
+    const auto measure = [&] {
+        double sum = 0.0;
+        for (std::size_t slot = 0; slot < size; ++slot) {
+            if (inverse_mass_[slot] > 0.0) {
+                sum += dot(velocity[slot].linear, velocity[slot].linear) / inverse_mass_[slot] +
+                       dot(velocity[slot].angular, velocity[slot].angular) / inverse_inertia_[slot];
+            }
+        }
+        return std::sqrt(sum);
+    };
+    double before = 0.0;
+    for (int cycle = 0; cycle < first_cycles + measured_cycles; ++cycle) {
+        if (cycle == first_cycles) {
+            before = measure();
+        }
+        std::fill(load.begin(), load.end(), still);
+        for (const Spring& spring : springs_) {
+            const bool is_wall = spring.j == no_slot;
+            const Motion& way_j = is_wall ? still : way[spring.j];
+            const Motion& velocity_j = is_wall ? still : velocity[spring.j];
+            const Vec3 shift = at_contact(spring, way[spring.i], way_j);
+            const Vec3 rate = at_contact(spring, velocity[spring.i], velocity_j);
+            const double shift_n = dot(shift, spring.normal);
+            const double rate_n = dot(rate, spring.normal);
+            const Vec3 force =
+                (spring.stiffness.normal * shift_n + spring.damping_n * rate_n) * spring.normal +
+                spring.stiffness.shear * (shift - shift_n * spring.normal) +
+                spring.damping_s * (rate - rate_n * spring.normal);
+            const Vec3 turn = cross(spring.normal, force);
+            const Vec3 bend = way_j.angular - way[spring.i].angular;
+            const double twist = dot(bend, spring.normal);
+            const Vec3 moment = spring.rolling * (bend - twist * spring.normal) +
+                                spring.twisting * twist * spring.normal;
+            load[spring.i].linear += force;
+            load[spring.i].angular += spring.arm_i * turn + moment;
+            if (!is_wall) {
+                load[spring.j].linear -= force;
+                load[spring.j].angular += spring.arm_j * turn - moment;
+            }
+        }
+        for (std::size_t slot = 0; slot < size; ++slot) {
+            velocity[slot].linear += timestep * inverse_mass_[slot] * load[slot].linear;
+            velocity[slot].angular += timestep * inverse_inertia_[slot] * load[slot].angular;
+            way[slot].linear += timestep * velocity[slot].linear;
+            way[slot].angular += timestep * velocity[slot].angular;
+        }
+    }
+    return before > 0.0 ? std::pow(measure() / before, 1.0 / measured_cycles) : 1.0;
+}
+
+}  // namespace grainbench
