@@ -113,6 +113,9 @@ private:
         if (stage.output && stage.output->contacts) {
             add("contact_network", pointer + "/output/contacts");
         }
+        if (stage.output && stage.output->orientation) {
+            add("orientation", pointer + "/output/orientation");
+        }
     }
 
     void add_measurements(const Scene& scene) {
@@ -145,6 +148,9 @@ private:
         }
         if (scene.output.contacts) {
             add("contact_network", "/output/contacts");
+        }
+        if (scene.output.orientation) {
+            add("orientation", "/output/orientation");
         }
     }
 

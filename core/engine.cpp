@@ -78,6 +78,13 @@ bool writes_contacts(const Scene& scene) {
            });
 }
 
+bool writes_orientations(const Scene& scene) {
+    return scene.output.orientation ||
+           std::any_of(scene.stages.begin(), scene.stages.end(), [](const Stage& stage) {
+               return stage.output && stage.output->orientation;
+           });
+}
+
 std::vector<WallBody> build_walls(const Scene& scene, const Materials& materials) {
     std::vector<WallBody> walls;
     for (std::size_t w = 0; w < scene.walls.size(); ++w) {
@@ -128,6 +135,9 @@ Engine::Engine(const Scene& scene, std::uint64_t seed, const SimulationOptions& 
     }
     if (particles_.slab_count() > 1) {
         workers_ = Workers(options.threads);
+    }
+    if (writes_orientations(scene)) {
+        orientations_.emplace(particles_.size());
     }
     if (scene.observables.energy) {
         ledger_ = std::make_unique<EnergyLedger>();
@@ -186,6 +196,7 @@ void Engine::begin_stage(const Stage& stage) {
         contact_ = *stage.contact;
         const ContactTable next(contact_, materials_);
         const std::vector<int> sources = history_sources(table_, next);
+        torques_wait_ = torques_wait_ || (started_ && table_.exerts_torques());
         pairs_.change_history(sources);
         for (WallContacts& contacts : wall_contacts_) {
             contacts.change_history(sources);
@@ -302,6 +313,9 @@ void Engine::step() {
     }
     enter(Phase::integration);
     move(timestep);
+    if (orientations_) {
+        orientations_->advance(particles_, timestep);
+    }
     find_contacts();
     add_forces(timestep);
     enter(Phase::output);
@@ -351,6 +365,9 @@ void Engine::renumber(const PopulationChange& change) {
     pairs_.forget_images(particles_);
     particles_.change_population(change);
     driven_.change_population(change);
+    if (orientations_) {
+        orientations_->change_population(change);
+    }
     pairs_.change_population(change, particles_, table_);
     for (WallContacts& contacts : wall_contacts_) {
         contacts.change_population(change, particles_);
@@ -416,13 +433,16 @@ MotionPass Engine::move_particles(double timestep) {
                          .fastest = {},
                          .velocity_sum = {}};
     const std::size_t size = particles_.slab_size();
-    const bool is_damped = body_.local_damping > 0.0;
+    const auto kernel = body_.local_damping > 0.0                  ? kernels_->move_damped
+                        : table_.exerts_torques() || torques_wait_ ? kernels_->move
+                                                                   : kernels_->move_straight;
+    torques_wait_ = false;
     move_parts_.assign(particles_.slab_count(), all);
     workers_.for_each(move_parts_.size(), [&](std::size_t slab) {
         MotionPass& part = move_parts_[slab];
         part.first = slab * size;
         part.last = std::min<std::size_t>((slab + 1) * size, particles_.size());
-        (is_damped ? kernels_->move_damped : kernels_->move)(part);
+        kernel(part);
     });
     MotionPass sum = all;
     for (const MotionPass& part : move_parts_) {
@@ -693,6 +713,9 @@ void Engine::save(Archive& archive) const {
                                     distance_when_sorted_});
     archive.put("engine/has_records", std::uint64_t{has_records_});
     particles_.save(archive);
+    if (orientations_) {
+        orientations_->save(archive);
+    }
     driven_.save(archive);
     pairs_.save(archive);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
@@ -720,6 +743,9 @@ void Engine::load(const Archive& archive) {
     image_shift_ = {numbers[12], numbers[13], numbers[14]};
     distance_when_sorted_ = numbers[15];
     particles_.load(archive, changes_population_);
+    if (orientations_) {
+        orientations_->load(archive, particles_.size());
+    }
     driven_.load(archive, particles_);
     pairs_.load(archive, particles_);
     for (std::size_t w = 0; w < walls_.size(); ++w) {

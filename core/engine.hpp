@@ -8,6 +8,7 @@
 #include "core/contact/pair_contacts.hpp"
 #include "core/contact/wall_contacts.hpp"
 #include "core/insertion/traffic.hpp"
+#include "core/integrate/orientations.hpp"
 #include "core/integrate/stable_step.hpp"
 #include "core/measure/energy_ledger.hpp"
 #include "core/phases.hpp"
@@ -107,6 +108,9 @@ public:
     /// Sinks and sources; null in a scene without.
     const Traffic* traffic() const { return traffic_ ? &*traffic_ : nullptr; }
 
+    /// How particles have turned; null in a scene whose output does not ask.
+    const Orientations* orientations() const { return orientations_ ? &*orientations_ : nullptr; }
+
     const Kernels& kernels() const { return *kernels_; }
 
     /// Contact objects, touching or near [1]; looks at those with walls one by one.
@@ -192,11 +196,13 @@ private:
     std::vector<MotionPass> move_parts_;  ///< by slab
     std::unique_ptr<EnergyLedger> ledger_;
     std::optional<Traffic> traffic_;
+    std::optional<Orientations> orientations_;
     std::optional<PopulationChange> population_change_;
     std::vector<InsertionReport> insertion_reports_;
     PhaseWatch* phase_watch_ = nullptr;
 
     bool changes_population_ = false;
+    bool torques_wait_ = false;  ///< those of laws that a stage has taken away, for half a kick
     bool started_ = false;
     bool wants_sorting_ = false;
     double distance_when_sorted_ =

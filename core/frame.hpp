@@ -27,6 +27,8 @@ struct ParticleFrame {
     std::vector<Vec3> angular_velocity;       ///< [rad/s]
     std::vector<Vec3> force;                  ///< [N] of all contacts
     std::vector<std::int32_t> contacts;       ///< touching particles and walls
+    /// [1] unit quaternion (w, x, y, z) of the turn since the start; empty unless the output asks
+    std::vector<std::array<double, 4>> orientation;
 
     std::size_t size() const { return id.size(); }
 };

@@ -432,6 +432,9 @@ ParticleFrame Simulation::particle_frame() const {
         frame.angular_velocity.push_back(s.engine.full_spin(slot));
         frame.force.push_back(s.engine.contact_force(slot));
         frame.contacts.push_back(contacts[slot]);
+        if (const Orientations* orientations = s.engine.orientations()) {
+            frame.orientation.push_back(orientations->of(slot));
+        }
     }
     return frame;
 }

@@ -49,7 +49,8 @@ void check_folders(const std::filesystem::path& run,
 
 std::string particle_table(const ParticleFrame& frame) {
     std::string text =
-        "id,x,y,z,radius,species,group,layer,current_layer,vx,vy,vz,wx,wy,wz,fx,fy,fz,contacts\n";
+        "id,x,y,z,radius,species,group,layer,current_layer,vx,vy,vz,wx,wy,wz,fx,fy,fz,contacts";
+    text += frame.orientation.empty() ? "\n" : ",qw,qx,qy,qz\n";
     for (std::size_t k = 0; k < frame.size(); ++k) {
         const auto number = [&](double value) {
             text += ',';
@@ -75,6 +76,9 @@ std::string particle_table(const ParticleFrame& frame) {
         vector(frame.angular_velocity[k]);
         vector(frame.force[k]);
         integer(frame.contacts[k]);
+        for (std::size_t c = 0; c < 4 && !frame.orientation.empty(); ++c) {
+            number(frame.orientation[k][c]);
+        }
         text += '\n';
     }
     return text;

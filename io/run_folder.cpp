@@ -256,7 +256,12 @@ const std::string& RunFolder::warning() const {
     return impl_->warning;
 }
 
+void RunFolder::drain() {
+    background_.drain();
+}
+
 void RunFolder::finish(const Manifest& manifest) {
+    drain();
     const std::scoped_lock lock(impl_->mutex);
     impl_->flush_history();
     for (std::size_t k = 0; k < impl_->realisations.size(); ++k) {

@@ -12,6 +12,7 @@
 #include "core/scene.hpp"
 #include "core/simulation.hpp"
 
+#include "io/background.hpp"
 #include "io/manifest.hpp"
 
 #include <cstddef>
@@ -49,7 +50,9 @@ public:
     RunFolder(const RunFolder&) = delete;
     RunFolder& operator=(const RunFolder&) = delete;
 
-    /// Writes what the simulation of this realisation reports. Lives as long as the folder.
+    /// Writes what the simulation of this realisation reports, beside the stepping: frames are
+    /// taken when they are due and written while the simulation goes on. A failure is thrown when
+    /// the next is due, or by drain(). Lives as long as the folder.
     Observer& observer(std::size_t realisation);
 
     /// State to go on from, for each realisation; empty where it starts at the beginning.
@@ -58,10 +61,13 @@ public:
     /// What the user should know about the checkpoint; empty if all is well.
     const std::string& warning() const;
 
-    /// Writes the history, the traces and the manifest.
+    /// Waits until all that was reported is written. Throws what went wrong meanwhile.
+    void drain();
+
+    /// Writes what is still to be written, then the history, the traces and the manifest.
     void finish(const Manifest& manifest);
 
-    // What observers call.
+    // What observers let the background do.
 
     /// \param contacts null if the contact network is not asked for
     void write_frame(std::size_t realisation,
@@ -85,6 +91,7 @@ private:
     std::unique_ptr<Impl> impl_;
     std::mutex observers_mutex_;
     std::vector<std::unique_ptr<Observer>> observers_;  ///< made when first asked for
+    Background background_;                             ///< last, for its tasks need the rest
 };
 
 }  // namespace grainbench::io

@@ -14,14 +14,14 @@ import argparse
 import os
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
 import time
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-TREE = ROOT / "build" / "mutation" / "tree"
-BUILD = ROOT / "build" / "mutation" / "build"
+import planting
+from planting import ROOT, fail, planted, run
+
+COPY = planting.Copy("mutation")
 
 # Quick ones first: the first that fails ends the run of a fault.
 TESTS = ["unit/core/unit_laws", "unit/core/unit_scales", "unit/core/unit_phases",
@@ -44,75 +44,14 @@ USERS_OF_LAWS += ["core/contact/contact_table.cpp", "tests/unit/core/law_test.cp
 CAUGHT_AT_LEAST = 0.9
 
 
-def fail(message):
-    print(f"mutation-check: {message}", file=sys.stderr)
-    sys.exit(2)
-
-
-def read_faults():
-    faults = []
-    for line in (ROOT / "tests/mutation/faults.txt").read_text().splitlines():
-        if line.startswith("fault: "):
-            faults.append({"name": line[7:], "old": [], "new": []})
-        elif line.startswith("file: "):
-            faults[-1]["file"] = line[6:]
-        elif line.startswith("- "):
-            faults[-1]["old"].append(line[2:])
-        elif line.startswith("+ "):
-            faults[-1]["new"].append(line[2:])
-        elif line and not line.startswith("#"):
-            fail(f"tests/mutation/faults.txt: cannot read '{line}'")
-    return faults
-
-
-def planted(fault, text):
-    old = "\n".join(fault["old"])
-    count = text.count(old)
-    if count != 1:
-        fail(f"'{fault['name']}' fits {count} times into {fault['file']}, not once:\n{old}\n"
-             "Where that code has changed, change the fault in tests/mutation/faults.txt with it.")
-    return text.replace(old, "\n".join(fault["new"]))
-
-
-def run(command, **keywords):
-    return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                          **keywords)
-
-
-def copy_tree():
-    """Brings the copy up to date; files that are the same keep their time, and so their objects."""
-    tracked = run(["git", "ls-files", "-co", "--exclude-standard"], cwd=ROOT, check=True).stdout
-    wanted = [name for name in tracked.splitlines() if (ROOT / name).is_file()]
-    for name in wanted:
-        to = TREE / name
-        if not to.exists() or to.read_bytes() != (ROOT / name).read_bytes():
-            to.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(ROOT / name, to)
-    for path in [p for p in TREE.rglob("*") if p.is_file()]:
-        if str(path.relative_to(TREE)) not in set(wanted):
-            path.unlink()
-
-
-def configure():
-    launcher = shutil.which("ccache")
-    command = ["cmake", "-S", str(TREE), "-B", str(BUILD), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=None",
-               "-DCMAKE_CXX_FLAGS=-O1", "-DGRAINBENCH_BUILD_IO=OFF", "-DGRAINBENCH_BUILD_RENDER=OFF"]
-    if launcher:
-        command.append(f"-DCMAKE_CXX_COMPILER_LAUNCHER={launcher}")
-    result = run(command)
-    if result.returncode != 0:
-        fail(f"the copy cannot be configured:\n{result.stdout}")
-
-
 def build(jobs):
-    targets = [pathlib.PurePath(test).name for test in TESTS]
-    return run(["cmake", "--build", str(BUILD), "--parallel", str(jobs), "--target", *targets])
+    return COPY.build(jobs, *(pathlib.PurePath(test).name for test in TESTS))
 
 
 def first_failure(patience):
     """Name of the first test that fails, or None; notes how long those took whose patience is unknown."""
     for test in TESTS:
-        program = BUILD / "tests" / test
+        program = COPY.build_folder / "tests" / test
         start = time.monotonic()
         try:
             result = run([str(program), "--gtest_brief=1", "--gtest_fail_fast", "--gtest_color=no"],
@@ -130,13 +69,13 @@ def first_failure(patience):
 
 def write(fault, text):
     """Writes a file of the copy so that what must be built anew is, and nothing else."""
-    path = TREE / fault["file"]
+    path = COPY.tree / fault["file"]
     before = path.stat()
     path.write_text(text)
     if fault["file"].startswith(LAWS):
         os.utime(path, ns=(before.st_atime_ns, before.st_mtime_ns))
         for user in USERS_OF_LAWS:
-            os.utime(TREE / user)
+            os.utime(COPY.tree / user)
 
 
 def main():
@@ -146,14 +85,14 @@ def main():
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     options = parser.parse_args()
 
-    faults = read_faults()
+    faults = planting.read_edits("tests/mutation/faults.txt")
     for fault in faults:
         planted(fault, (ROOT / fault["file"]).read_text())
     if options.list:
         print(f"{len(faults)} faults fit the sources")
         return 0
-    copy_tree()
-    configure()
+    COPY.bring_up_to_date()
+    COPY.configure("-DCMAKE_BUILD_TYPE=None", "-DCMAKE_CXX_FLAGS=-O1")
     result = build(options.jobs)
     if result.returncode != 0:
         fail(f"the core does not build without a fault:\n{result.stdout}")
@@ -167,7 +106,7 @@ def main():
     print("| fault | file | caught by | s |\n|---|---|---|---|")
     for fault in chosen:
         start = time.monotonic()
-        text = (TREE / fault["file"]).read_text()
+        text = (COPY.tree / fault["file"]).read_text()
         write(fault, planted(fault, text))
         try:
             result = build(options.jobs)

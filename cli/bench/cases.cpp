@@ -144,6 +144,50 @@ Scene large_bed_at_rest(int along) {
     return scene;
 }
 
+/// Half a drum of balls, from a lattice that settles with softer springs; then it turns and they
+/// avalanche and mix. It is longer than it is wide, so that slots are in layers along its axis.
+///
+/// \param radius, length of the drum [m]
+Scene drum(double radius, double length) {
+    constexpr double spacing = 2.02 * small_radius;
+    std::mt19937_64 random(10001);
+    const auto moved = [&](double x) {
+        return x + 0.005 * small_radius * (static_cast<double>(random() >> 11) * 0x1p-52 - 1.0);
+    };
+    const auto across = static_cast<int>(radius / spacing);
+    const auto along = static_cast<int>(length / spacing);
+    ListInsertion list;
+    for (int k = -across; k < 0; ++k) {
+        for (int i = -across; i <= across; ++i) {
+            if (std::hypot(i * spacing, k * spacing) > radius - 1.02 * small_radius) {
+                continue;
+            }
+            for (int j = 0; j < along; ++j) {
+                list.particles.push_back(
+                    {.species = "small",
+                     .position = {
+                         moved(i * spacing), moved((j + 0.5) * spacing), moved(k * spacing)}});
+            }
+        }
+    }
+    Scene scene;
+    scene.gravity = Vec3{0.0, 0.0, -9.8};
+    scene.particles.species = {{"small", small_radius, 1500.0}};
+    scene.particles.insertion = {std::move(list)};
+    scene.walls = {
+        {.name = "drum",
+         .shape = Cylinder{.base = {}, .axis = {0.0, 1.0, 0.0}, .radius = radius, .height = length},
+         .motion = FixedMotion{},
+         .material = {}}};
+    Contact soft = example_contact();
+    soft.stiffness = ConstantStiffness::Params{.normal = 0.1 * stiffness, .shear = 0.1 * stiffness};
+    scene.contact = settling(soft);
+    Stage turning = stage_of(for_ever, example_contact());
+    turning.motions = {{"drum", RotationMotion{.point = {}, .axis = {0.0, 1.0, 0.0}, .rate = 3.0}}};
+    scene.stages = {stage_of(0.1, scene.contact), turning};
+    return scene;
+}
+
 Scene effects_bed(const Contact& contact, Scene scene) {
     scene.contact = settling(contact);
     scene.stages = {stage_of(0.015, scene.contact),
@@ -222,6 +266,22 @@ BenchCase counted_case(const char* name, const Contact& contact) {
             .repetitions = 1};
 }
 
+/// Balls that fly about in free space and meet: no walls, friction, dashpots or gravity.
+Scene cloud() {
+    Scene scene = packed_box(8, 8, 6);
+    scene.gravity.reset();
+    scene.walls.clear();
+    std::mt19937_64 random(10002);
+    const auto speed = [&] { return 0.2 * (static_cast<double>(random() >> 11) * 0x1p-52 - 1.0); };
+    for (Placement& ball : std::get<ListInsertion>(scene.particles.insertion[0]).particles) {
+        ball.velocity = {speed(), speed(), speed()};
+    }
+    scene.contact = linear_contact();
+    scene.timestep = FixedTimestep{5e-6};
+    scene.stages = {stage_of(for_ever, scene.contact)};
+    return scene;
+}
+
 /// Thrown about within a period short enough to be counted whole.
 Scene small_shaken_box(const Timestep& timestep) {
     Scene scene = packed_box(8, 8, 6);
@@ -269,6 +329,20 @@ std::vector<BenchCase> bench_cases() {
          .span = 0.0001,
          .repetitions = 5,
          .is_on_request = true},
+        {.name = "drum",
+         .about = "100000 balls in a drum that turns at 3 rad/s, automatic step",
+         .scene = [] { return drum(0.1, 1.6); },
+         .prepared = 0.15,
+         .span = 0.001,
+         .repetitions = 5,
+         .is_on_request = true},
+        {.name = "million_drum",
+         .about = "a million balls in a drum that turns at 3 rad/s, automatic step",
+         .scene = [] { return drum(0.22, 3.07); },
+         .prepared = 0.12,
+         .span = 0.0001,
+         .repetitions = 5,
+         .is_on_request = true},
         effects_case(
             "linear_spring", "4000 balls at rest: absolute normal spring alone", linear_contact()),
         effects_case("linear_spring_and_damping", "the same with dashpots", damped_contact()),
@@ -295,6 +369,12 @@ std::vector<BenchCase> counted_cases() {
              .scene = [] { return small_shaken_box(AutomaticTimestep{}); },
              .prepared = 0.1,
              .span = 0.025,
+             .repetitions = 1},
+            {.name = "cloud",
+             .about = "384 balls that meet in free space: a normal spring alone, a fixed step",
+             .scene = cloud,
+             .prepared = 0.001,
+             .span = 0.005,
              .repetitions = 1},
             counted_case("rest_linear_spring", linear_contact()),
             counted_case("rest_linear_spring_and_damping", damped_contact()),

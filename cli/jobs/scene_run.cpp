@@ -55,6 +55,9 @@ ParticleFrame drawable_part(const ParticleFrame& all) {
         shown.angular_velocity.push_back(all.angular_velocity[k]);
         shown.force.push_back(all.force[k]);
         shown.contacts.push_back(all.contacts[k]);
+        if (!all.orientation.empty()) {
+            shown.orientation.push_back(all.orientation[k]);
+        }
     }
     return shown;
 }
@@ -160,6 +163,7 @@ void SceneRun::keep_unstable(const Simulation& simulation,
                              const RealisationCost& cost,
                              const Error& error) {
     const auto n = static_cast<std::size_t>(simulation.index());
+    folder_.drain();
     folder_.write_frame(
         n, drawable_part(simulation.particle_frame()), drawable_walls(simulation), nullptr);
     describe(simulation, cost);

@@ -126,6 +126,7 @@ ContactTable::ContactTable(const Contact& contact, const Materials& materials)
     }
     for (std::size_t row = 0; row < pairs; ++row) {
         step_factor_[2 * row] *= growth_[row];
+        has_shear_damping_ = has_shear_damping_ || damping_[2 * row + 1] > 0.0;
     }
     for (std::size_t k = 0; k < step_factor_.size(); ++k) {
         values_[k % 2 * pairs + k / 2] = step_factor_[k];

@@ -63,6 +63,9 @@ public:
 
     bool has_friction() const { return choice_[friction_slot] != 0; }
 
+    /// Whether contacts turn particles: by friction, which moments need too, or by dashpots.
+    bool exerts_torques() const { return has_friction() || has_shear_damping_; }
+
     bool has_damping() const { return choice_[damping_slot] != 0; }
 
     /// True if contacts stiffen as they deepen: sums for the stable step go stale by themselves.
@@ -140,6 +143,7 @@ private:
     std::vector<double> damping_;      ///< [1] two per pair: beta_n, beta_s
     std::vector<double> growth_;       ///< [1] by pair: stiffness of unloading over that of loading
     std::vector<double> step_factor_;  ///< [1] two per pair: K / k
+    bool has_shear_damping_ = false;
     bool rotation_rules_ = false;
     bool uniform_ = false;
     double reach_ = 0.0;                      ///< [m]

@@ -231,6 +231,7 @@ struct WallStepPass {
 struct Kernels {
     std::string_view isa;
     void (*move)(MotionPass&);
+    void (*move_straight)(MotionPass&);  ///< where torques are zero: spins stay as they are
     void (*move_damped)(MotionPass&);
     void (*measure_travel)(TravelPass&);
 

@@ -8,18 +8,27 @@
 
 namespace grainbench::GRAINBENCH_ISA {
 
+// A call per particle would cost a quarter of these passes, and g++ inlines only what has one
+// caller.
+
 /// v += F/m kick, omega += T/I kick; force and torque are taken away.
-inline Packet kick_by_loads(const ParticleView& p, std::size_t row, const Packet& kick) {
+/// \tparam turns whether there may be torques
+template <bool turns>
+[[gnu::always_inline]] inline Packet kick_by_loads(const ParticleView& p,
+                                                   std::size_t row,
+                                                   const Packet& kick) {
     const std::size_t at = 4 * row;
     const Packet zero(0.0);
     const Packet velocity(p.velocity + at);
-    const Packet torque(p.torque + at);
     const Packet kicked =
         velocity + with_fourth(Packet(p.force + at) * velocity.fourth() * kick, zero);
-    const Packet spin = Packet(p.spin + at) + with_fourth(torque * torque.fourth() * kick, zero);
-    spin.store(p.spin + at);
     zero.store(p.force + at);
-    with_fourth(zero, torque).store(p.torque + at);
+    if constexpr (turns) {
+        const Packet torque(p.torque + at);
+        (Packet(p.spin + at) + with_fourth(torque * torque.fourth() * kick, zero))
+            .store(p.spin + at);
+        with_fourth(zero, torque).store(p.torque + at);
+    }
     return kicked;
 }
 
@@ -42,7 +51,7 @@ void for_each_loaded(const ParticleView& p, std::size_t begin, std::size_t end, 
 /// Moves the particles of a pass by velocities velocity_of(row), and measures them. Two running
 /// sums whatever the vector length keep the bits the same on every instruction set.
 template <class VelocityOf>
-void drift(MotionPass& pass, const VelocityOf& velocity_of) {
+[[gnu::always_inline]] inline void drift(MotionPass& pass, const VelocityOf& velocity_of) {
     const ParticleView& p = pass.particles;
     const Packet zero(0.0);
     alignas(32) const double drift_components[4] = {pass.drift, pass.drift, pass.drift, 0.0};
@@ -52,7 +61,7 @@ void drift(MotionPass& pass, const VelocityOf& velocity_of) {
     const Packet frame(components);
     Packet sum[2] = {zero, zero};
     Packet fastest[2] = {zero, zero};
-    const auto advance = [&](std::size_t row, std::size_t k) {
+    const auto advance = [&](std::size_t row, std::size_t k) __attribute__((always_inline)) {
         const std::size_t at = 4 * row;
         const Packet velocity = velocity_of(row);
         velocity.store(p.velocity + at);
@@ -81,18 +90,22 @@ inline Packet gravity_of(const MotionPass& pass) {
 }
 
 /// Forces and gravity kick one after the other, so that particles without loads may skip the first.
-inline void move(MotionPass& pass) {
+template <bool turns>
+void move(MotionPass& pass) {
     const ParticleView& p = pass.particles;
     const Packet kick(pass.kick);
     const Packet fall = gravity_of(pass) * kick;
     if (pass.few_are_loaded) {
         for_each_loaded(p, pass.first, pass.last, [&](std::size_t row) {
-            kick_by_loads(p, row, kick).store(p.velocity + 4 * row);
+            kick_by_loads<turns>(p, row, kick).store(p.velocity + 4 * row);
         });
         drift(pass, [&](std::size_t row) { return Packet(p.velocity + 4 * row) + fall; });
     } else {
         std::memset(p.loaded + pass.first, 0, pass.last - pass.first);
-        drift(pass, [&](std::size_t row) { return kick_by_loads(p, row, kick) + fall; });
+        drift(
+            pass, [&](std::size_t row) __attribute__((always_inline)) {
+                return kick_by_loads<turns>(p, row, kick) + fall;
+            });
     }
 }
 

@@ -57,7 +57,8 @@ inline void choose_wall_steps(const WallStepPass& pass) {
 
 constexpr Kernels make_kernels(std::string_view isa) {
     return {.isa = isa,
-            .move = &move,
+            .move = &move<true>,
+            .move_straight = &move<false>,
             .move_damped = &move_damped,
             .measure_travel = &measure_travel,
             .search_cells = &search_cells,

@@ -56,6 +56,18 @@ void check(vtkDataArray* array, const char* name, std::size_t count, int compone
     }
 }
 
+template <std::size_t width>
+vtkSmartPointer<vtkDataArray> tuple_array(const char* name,
+                                          std::span<const std::array<double, width>> values) {
+    auto array = make_array<vtkFloatArray>(name, values.size(), width);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        for (std::size_t c = 0; c < width; ++c) {
+            array->SetValue(id(width * k + c), static_cast<float>(values[k][c]));
+        }
+    }
+    return array;
+}
+
 template <class T>
 std::vector<T> integers_of(vtkDataArray* array, const char* name, std::size_t count) {
     check(array, name, count, 1);
@@ -91,15 +103,14 @@ vtkSmartPointer<vtkDataArray> vector_array(const char* name, std::span<const Vec
     return floats_of(name, values);
 }
 
+vtkSmartPointer<vtkDataArray> quaternion_array(const char* name,
+                                               std::span<const std::array<double, 4>> values) {
+    return tuple_array(name, values);
+}
+
 vtkSmartPointer<vtkDataArray> tensor_array(const char* name,
                                            std::span<const std::array<double, 9>> values) {
-    auto array = make_array<vtkFloatArray>(name, values.size(), 9);
-    for (std::size_t k = 0; k < values.size(); ++k) {
-        for (std::size_t c = 0; c < 9; ++c) {
-            array->SetValue(id(9 * k + c), static_cast<float>(values[k][c]));
-        }
-    }
-    return array;
+    return tuple_array(name, values);
 }
 
 vtkSmartPointer<vtkDataArray> int32_array(const char* name, std::span<const std::int32_t> values) {
@@ -147,6 +158,19 @@ std::vector<double> doubles_of(vtkDataArray* array, const char* name, std::size_
     std::vector<double> values(count);
     for (std::size_t k = 0; k < count; ++k) {
         values[k] = array->GetComponent(id(k), 0);
+    }
+    return values;
+}
+
+std::vector<std::array<double, 4>> quaternions_of(vtkDataArray* array,
+                                                  const char* name,
+                                                  std::size_t count) {
+    check(array, name, count, 4);
+    std::vector<std::array<double, 4>> values(count);
+    for (std::size_t k = 0; k < count; ++k) {
+        for (int c = 0; c < 4; ++c) {
+            values[k][static_cast<std::size_t>(c)] = array->GetComponent(id(k), c);
+        }
     }
     return values;
 }

@@ -24,6 +24,8 @@ vtkSmartPointer<vtkDataArray> float_array(const char* name,
                                           std::span<const double> values,
                                           double factor = 1.0);
 vtkSmartPointer<vtkDataArray> vector_array(const char* name, std::span<const Vec3> values);
+vtkSmartPointer<vtkDataArray> quaternion_array(const char* name,
+                                               std::span<const std::array<double, 4>> values);
 vtkSmartPointer<vtkDataArray> tensor_array(const char* name,
                                            std::span<const std::array<double, 9>> values);
 vtkSmartPointer<vtkDataArray> int32_array(const char* name, std::span<const std::int32_t> values);
@@ -41,6 +43,9 @@ void put_field(vtkFieldData* fields, const char* name, const std::vector<std::st
 // Arrays to columns. They throw std::runtime_error that names the array if it is missing, has other
 // components, or another length; a null pointer counts as missing.
 std::vector<double> doubles_of(vtkDataArray* array, const char* name, std::size_t count);
+std::vector<std::array<double, 4>> quaternions_of(vtkDataArray* array,
+                                                  const char* name,
+                                                  std::size_t count);
 std::vector<Vec3> vectors_of(vtkDataArray* array, const char* name, std::size_t count);
 std::vector<std::int32_t> int32_of(vtkDataArray* array, const char* name, std::size_t count);
 std::vector<std::int64_t> int64_of(vtkDataArray* array, const char* name, std::size_t count);

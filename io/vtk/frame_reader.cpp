@@ -55,6 +55,9 @@ ParticleFrame particles_of(vtkUnstructuredGrid* grid) {
     frame.angular_velocity = vectors("angular_velocity");
     frame.force = vectors("force");
     frame.contacts = integers("contacts");
+    if (arrays->HasArray("orientation") != 0) {
+        frame.orientation = quaternions_of(arrays->GetArray("orientation"), "orientation", count);
+    }
     return frame;
 }
 

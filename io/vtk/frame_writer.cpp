@@ -77,6 +77,9 @@ void put_particle_arrays(vtkPointData* arrays, const ParticleFrame& frame) {
     arrays->AddArray(vector_array("angular_velocity", frame.angular_velocity));
     arrays->AddArray(vector_array("force", frame.force));
     arrays->AddArray(int32_array("contacts", frame.contacts));
+    if (!frame.orientation.empty()) {
+        arrays->AddArray(quaternion_array("orientation", frame.orientation));
+    }
 }
 
 template <class DataSet>

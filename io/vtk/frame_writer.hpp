@@ -24,8 +24,8 @@ struct Provenance {
 };
 
 /// Spheres as vertex cells with the point arrays id, radius, diameter, species, group, layer,
-/// current_layer, velocity, angular_velocity, force, contacts. The name ends in .vtu, or in .vtp
-/// for programs that want polygonal data.
+/// current_layer, velocity, angular_velocity, force, contacts, and orientation where the frame has
+/// it. The name ends in .vtu, or in .vtp for programs that want polygonal data.
 void write_particles(const std::filesystem::path& path,
                      const ParticleFrame& frame,
                      const Provenance& provenance);

@@ -51,16 +51,24 @@ void for_each_set(Check&& check) {
     }
 }
 
+using MovePass = void (*Kernels::*)(MotionPass&);
+
 /// After a move of particles of which every third is loaded.
 /// \param few whether the pass is told so
-/// \param damping coefficient of local damping [1]; 0 = the pass that has none
-Bytes moved(const Kernels& kernels, Index count, bool few, double damping = 0.0) {
+/// \param turns whether loads have torques
+Bytes moved(const Kernels& kernels,
+            Index count,
+            bool few,
+            MovePass move = &Kernels::move,
+            bool turns = true) {
     RandomParticles p(count, count);
     for (Index n = 0; n < count; ++n) {
         if (n % 3 != 0) {
             std::fill_n(&p.force[4 * std::size_t{n}], 3, 0.0);
-            std::fill_n(&p.torque[4 * std::size_t{n}], 3, 0.0);
             p.loaded[n] = 0;
+        }
+        if (n % 3 != 0 || !turns) {
+            std::fill_n(&p.torque[4 * std::size_t{n}], 3, 0.0);
         }
     }
     MotionPass pass{.particles = p.view(),
@@ -68,13 +76,13 @@ Bytes moved(const Kernels& kernels, Index count, bool few, double damping = 0.0)
                     .frame = {0.5, -0.2, 0.7, 0.0},
                     .kick = 1.1e-5,
                     .drift = 1.3e-5,
-                    .local_damping = damping,
+                    .local_damping = 0.3,
                     .few_are_loaded = few,
                     .first = 0,
                     .last = count,
                     .fastest = {},
                     .velocity_sum = {}};
-    (damping > 0.0 ? kernels.move_damped : kernels.move)(pass);
+    (kernels.*move)(pass);
     return Bytes()
         .add(p.position)
         .add(p.velocity)
@@ -88,14 +96,27 @@ Bytes moved(const Kernels& kernels, Index count, bool few, double damping = 0.0)
 
 TEST(InstructionSets, MoveAlike) {
     for_each_set([](std::string_view isa, const Kernels& kernels) {
+        const Kernels& scalar = kernels_for("scalar");
         for (Index n = 1; n <= most_contacts; ++n) {
             for (const bool few : {false, true}) {
-                EXPECT_TRUE(moved(kernels, n, few) == moved(kernels_for("scalar"), n, few))
+                EXPECT_TRUE(moved(kernels, n, few) == moved(scalar, n, few)) << isa << " " << n;
+            }
+            EXPECT_TRUE(moved(kernels, n, false, &Kernels::move_damped) ==
+                        moved(scalar, n, false, &Kernels::move_damped))
+                << isa << " " << n << ", damped";
+        }
+    });
+}
+
+/// Where nothing exerts torques, leaving rotation out changes no bit.
+TEST(InstructionSets, MoveStraightAsWithoutTorques) {
+    for_each_set([](std::string_view isa, const Kernels& kernels) {
+        for (Index n = 1; n <= most_contacts; ++n) {
+            for (const bool few : {false, true}) {
+                EXPECT_TRUE(moved(kernels, n, few, &Kernels::move_straight, false) ==
+                            moved(kernels, n, few, &Kernels::move, false))
                     << isa << " " << n;
             }
-            EXPECT_TRUE(moved(kernels, n, false, 0.3) ==
-                        moved(kernels_for("scalar"), n, false, 0.3))
-                << isa << " " << n << ", damped";
         }
     });
 }

@@ -96,6 +96,7 @@ void expect_same(const ParticleFrame& a, const ParticleFrame& b) {
     EXPECT_EQ(a.angular_velocity, b.angular_velocity);
     EXPECT_EQ(a.force, b.force);
     EXPECT_EQ(a.contacts, b.contacts);
+    EXPECT_EQ(a.orientation, b.orientation);
 }
 
 TEST(ParticleFile, HoldsTheArraysThatUsersRelyOn) {
@@ -145,6 +146,16 @@ TEST(ParticleFile, ReadsBackTheSame) {
         write_particles(folder / "p.vtu", some_particles(count), some_provenance());
         expect_same(read_particles_frame(folder / "p.vtu"), some_particles(count));
     }
+}
+
+TEST(ParticleFile, HoldsOrientationsWhereTheFrameDoes) {
+    const TemporaryFolder folder;
+    ParticleFrame frame = some_particles(2);
+    frame.orientation = {{1.0, 0.0, 0.0, 0.0}, {0.5, -0.5, 0.5, -0.5}};
+    write_particles(folder / "p.vtu", frame, some_provenance());
+    const auto grid = vtk_read_vtu(folder / "p.vtu");
+    EXPECT_EQ(summary_of(grid->GetPointData()).back(), "orientation float 4 2");
+    expect_same(read_particles_frame(folder / "p.vtu"), frame);
 }
 
 TEST(ParticleFile, ZeroParticlesKeepTheirArrays) {
