@@ -3,6 +3,7 @@
 that does not have these effects at all, and compares.
 
     share/off-is-free.py [--jobs N]      some minutes
+    share/off-is-free.py --list         only whether the edits fit the sources
 
 The edits of tests/performance/bare.txt take the effects away: local damping, driven groups, sinks and
 sources, periodic directions, orientations, the energy ledger, records of contacts, scaled inertia,
@@ -70,12 +71,17 @@ def count(program):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--list", action="store_true")
     options = parser.parse_args()
+    edits = planting.read_edits("tests/performance/bare.txt")
+    if options.list:
+        planting.planted_files(edits)
+        print(f"{len(edits)} edits fit the sources")
+        return 0
     if not shutil.which("valgrind"):
         fail("valgrind is not installed")
     full = count(build("off-is-free", [], options.jobs))
-    bare = count(build("off-is-free-bare", planting.read_edits("tests/performance/bare.txt"),
-                       options.jobs))
+    bare = count(build("off-is-free-bare", edits, options.jobs))
     print("| scene | instructions per particle-step | in the bare build | more |")
     print("|---|---:|---:|---:|")
     worst = 0.0

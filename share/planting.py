@@ -53,6 +53,15 @@ def planted(edit, text):
     return text.replace(old, "\n".join(edit["new"]))
 
 
+def planted_files(edits):
+    """Text by file, with all edits planted."""
+    texts = {}
+    for edit in edits:
+        text = texts.get(edit["file"]) or (ROOT / edit["file"]).read_text()
+        texts[edit["file"]] = planted(edit, text)
+    return texts
+
+
 class Copy:
     """A copy of the tracked sources, without io and render, and its build, in build/NAME."""
 
@@ -62,13 +71,11 @@ class Copy:
 
     def bring_up_to_date(self, edits=()):
         """Files that are the same keep their time, and so their objects."""
+        texts = planted_files(edits)
         tracked = run(["git", "ls-files", "-co", "--exclude-standard"], cwd=ROOT, check=True).stdout
         wanted = {name for name in tracked.splitlines() if (ROOT / name).is_file()}
         for name in wanted:
-            content = (ROOT / name).read_bytes()
-            for edit in edits:
-                if edit["file"] == name:
-                    content = planted(edit, content.decode()).encode()
+            content = texts[name].encode() if name in texts else (ROOT / name).read_bytes()
             to = self.tree / name
             if not to.exists() or to.read_bytes() != content:
                 to.parent.mkdir(parents=True, exist_ok=True)
