@@ -4,7 +4,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/lint.cmake)
 # Project headers allowed in quotes, third-party headers allowed in angle brackets. A header of the
 # standard library has no dot in its name and is allowed everywhere.
 set(quoted_core "^core/")
-set(angled_core "^(Eigen|hwy|tbb|oneapi/tbb)/")
+set(angled_core "^(Eigen|hwy|tbb|oneapi/tbb|sanitizer)/")
 set(quoted_io "^(core|io)/")
 set(angled_io "^(nlohmann|valijson|fmt|spdlog)/|^vtk[A-Za-z0-9]+[.]h$|^hdf5[.]h$|^(unistd|fcntl|sys/[a-z]+)[.]h$")
 set(quoted_render "^(core|io|render)/")
