@@ -65,8 +65,11 @@ struct CellGrid {
     std::int64_t cells[3];
 
     std::int64_t coordinate(double x, int axis) const {
-        const auto cell = static_cast<std::int64_t>((x - low[axis]) * inverse_edge);
-        return cell < 0 ? 0 : cell < cells[axis] ? cell : cells[axis] - 1;
+        // Compared as it is, for what lies far outside fits no integer.
+        const double cell = (x - low[axis]) * inverse_edge;
+        return cell < 1.0                                ? 0
+               : cell < static_cast<double>(cells[axis]) ? static_cast<std::int64_t>(cell)
+                                                         : cells[axis] - 1;
     }
 };
 
