@@ -168,6 +168,7 @@ void check_packing(Checks& checks) {
         }
         return run;
     };
+    const double at_rest = checks.is_full() ? 1e-10 : 1e-12;
     // Dashpots of many contacts of one ball make the true limit 0.82 of the estimate here.
     for (const double factor : {0.2, 0.5, 0.8, 0.9}) {
         Run run = continued(factor);
@@ -178,12 +179,14 @@ void check_packing(Checks& checks) {
         const std::string at = ", at " + text_of(factor) + " of the estimated stable step";
         checks.add_claim("three contacts or more hold nine balls of ten" + at,
                          held.count * 10 >= 216 * 9);
-        checks.add_bound(
-            "kinetic energy of those over what one radius of fall gives" + at,
-            "1",
-            factor < 0.9 ? 1e-12 : 1e-5,
-            held.energy / (216.0 * mass * 9.8 * r),
-            factor < 0.9 ? "round-off of forces: at rest" : "some modes grow until they slip");
+        checks.add_bound("kinetic energy of those over what one radius of fall gives" + at,
+                         "1",
+                         factor < 0.9 ? at_rest : 1e-5,
+                         held.energy / (216.0 * mass * 9.8 * r),
+                         factor >= 0.9 ? "some modes grow until they slip"
+                         : checks.is_full()
+                             ? "in so many cycles balls that roll on nudge those at rest"
+                             : "round-off of forces: at rest");
     }
     for (const double factor : {0.95, 1.1, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0}) {
         Run run = continued(factor);
