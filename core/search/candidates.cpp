@@ -38,7 +38,8 @@ void CandidateFinder::sort_into_cells(const ParticleState& particles, double edg
     // each.
     const Vec3 size = high - low;
     const auto cells_along = [&](double length) {
-        return static_cast<std::int64_t>(std::min(length / edge, 1e6)) + 1;
+        const double cells = length / edge;  // no number where both are infinite
+        return cells >= 1.0 ? static_cast<std::int64_t>(std::min(cells, 1e6)) + 1 : 1;
     };
     const std::int64_t most = 4 * static_cast<std::int64_t>(n) + 1024;
     while (cells_along(size.x) * cells_along(size.y) * cells_along(size.z) > most) {
