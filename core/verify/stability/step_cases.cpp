@@ -168,25 +168,34 @@ void check_packing(Checks& checks) {
         }
         return run;
     };
-    const double at_rest = checks.is_full() ? 1e-10 : 1e-12;
+    // In a long series balls that roll on nudge those at rest now and then, which comes to rest
+    // again within some thousand cycles: the median of many looks does not see it.
+    const std::uint64_t looks = checks.is_full() ? 21 : 1;
+    const std::uint64_t cycles = checks.is_full() ? 200'000 : 3'000;
     // Dashpots of many contacts of one ball make the true limit 0.82 of the estimate here.
-    for (const double factor : {0.2, 0.5, 0.8, 0.9}) {
+    for (const double factor : {0.2, 0.5, 0.8, 0.9, 0.95}) {
         Run run = continued(factor);
-        const Ending ending = watch(run, checks.is_full() ? 200'000 : 3'000);
-        checks.add_claim("runs on at " + text_of(factor) + " of the estimated stable step",
-                         !ending.stopped);
-        const Held held = held_spheres(run.simulation(), mass);
         const std::string at = ", at " + text_of(factor) + " of the estimated stable step";
+        bool stopped = false;
+        std::vector<std::size_t> counts;
+        std::vector<double> energies;
+        for (std::uint64_t look = 0; look < looks; ++look) {
+            stopped = watch(run, cycles / looks).stopped || stopped;
+            const Held held = held_spheres(run.simulation(), mass);
+            counts.push_back(held.count);
+            energies.push_back(held.energy / (216.0 * mass * 9.8 * r));
+        }
+        std::sort(counts.begin(), counts.end());
+        std::sort(energies.begin(), energies.end());
+        checks.add_claim("runs on" + at, !stopped);
         checks.add_claim("three contacts or more hold nine balls of ten" + at,
-                         held.count * 10 >= 216 * 9);
-        checks.add_bound("kinetic energy of those over what one radius of fall gives" + at,
-                         "1",
-                         factor < 0.9 ? at_rest : 1e-5,
-                         held.energy / (216.0 * mass * 9.8 * r),
-                         factor >= 0.9 ? "some modes grow until they slip"
-                         : checks.is_full()
-                             ? "in so many cycles balls that roll on nudge those at rest"
-                             : "round-off of forces: at rest");
+                         counts[looks / 2] * 10 >= 216 * 9);
+        checks.add_bound(
+            "kinetic energy of those over what one radius of fall gives" + at,
+            "1",
+            factor < 0.9 ? 1e-12 : 1e-5,
+            energies[looks / 2],
+            factor < 0.9 ? "round-off of forces: at rest" : "some modes grow until they slip");
     }
     for (const double factor : {0.95, 1.1, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0}) {
         Run run = continued(factor);
