@@ -71,17 +71,11 @@ SearchSettings search_settings(const Detection& detection,
     return settings;
 }
 
-bool writes_contacts(const Scene& scene) {
-    return scene.output.contacts ||
-           std::any_of(scene.stages.begin(), scene.stages.end(), [](const Stage& stage) {
-               return stage.output && stage.output->contacts;
-           });
-}
-
-bool writes_orientations(const Scene& scene) {
-    return scene.output.orientation ||
-           std::any_of(scene.stages.begin(), scene.stages.end(), [](const Stage& stage) {
-               return stage.output && stage.output->orientation;
+/// Whether the output of the scene, or of any of its stages, asks for something.
+bool writes(const Scene& scene, bool Output::*wanted) {
+    return scene.output.*wanted ||
+           std::any_of(scene.stages.begin(), scene.stages.end(), [&](const Stage& stage) {
+               return stage.output && (*stage.output).*wanted;
            });
 }
 
@@ -105,7 +99,7 @@ Engine::Engine(const Scene& scene, std::uint64_t seed, const SimulationOptions& 
       scheme_(scene.timestep),
       detection_(scene.detection),
       scene_gravity_(scene.gravity.value_or(Vec3{})),
-      keep_records_(scene.observables.energy.has_value() || writes_contacts(scene)),
+      keep_records_(scene.observables.energy.has_value() || writes(scene, &Output::contacts)),
       walls_(build_walls(scene, materials_)),
       changes_population_(population_changes(scene)) {
     std::vector<Surface> surfaces;
@@ -136,7 +130,7 @@ Engine::Engine(const Scene& scene, std::uint64_t seed, const SimulationOptions& 
     if (particles_.slab_count() > 1) {
         workers_ = Workers(options.threads);
     }
-    if (writes_orientations(scene)) {
+    if (writes(scene, &Output::orientation)) {
         orientations_.emplace(particles_.size());
     }
     if (scene.observables.energy) {

@@ -22,8 +22,8 @@ public:
     Background(const Background&) = delete;
     Background& operator=(const Background&) = delete;
 
-    /// Waits until no large task is left, so that there is never more than one in memory. Throws
-    /// what a task has thrown, after which no other is done.
+    /// Waits until no large task is left, so that each thread that posts has one in memory at most.
+    /// Throws what a task has thrown, after which no other is done.
     void make_room();
 
     void post(std::function<void()> task);

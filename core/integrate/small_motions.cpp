@@ -1,6 +1,5 @@
 #include "core/integrate/small_motions.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -84,76 +83,88 @@ void SmallMotions::add(Spring spring,
 }
 
 double SmallMotions::growth(double timestep) const {
-    const std::size_t size = inverse_mass_.size();
-    std::vector<Motion> way(size);
-    std::vector<Motion> velocity(size);
-    std::vector<Motion> load(size);
-    std::minstd_rand random(1);
-    const auto noise = [&] { return static_cast<double>(random()) / 1e9 - 1.0; };
-    for (std::size_t slot = 0; slot < size; ++slot) {
-        if (inverse_mass_[slot] > 0.0) {
-            // Equal parts of energy, whatever the size of the particle.
-            const double linear = std::sqrt(inverse_mass_[slot]);
-            const double angular = std::sqrt(inverse_inertia_[slot]);
-            velocity[slot] = {{linear * noise(), linear * noise(), linear * noise()},
-                              {angular * noise(), angular * noise(), angular * noise()}};
-        }
-    }
-    const Motion still{};
-    /// Relative motion of the surfaces at a contact.
-    const auto at_contact = [](const Spring& spring, const Motion& of_i, const Motion& of_j) {
-        return of_j.linear - of_i.linear -
-               cross(spring.arm_i * of_i.angular + spring.arm_j * of_j.angular, spring.normal);
-    };
-    /// Root of the kinetic energy, times the root of two.
-    const auto measure = [&] {
-        double sum = 0.0;
-        for (std::size_t slot = 0; slot < size; ++slot) {
-            if (inverse_mass_[slot] > 0.0) {
-                sum += dot(velocity[slot].linear, velocity[slot].linear) / inverse_mass_[slot] +
-                       dot(velocity[slot].angular, velocity[slot].angular) / inverse_inertia_[slot];
-            }
-        }
-        return std::sqrt(sum);
-    };
+    std::vector<Motion> way(inverse_mass_.size());
+    std::vector<Motion> velocity = noise();
     double before = 0.0;
     for (int cycle = 0; cycle < first_cycles + measured_cycles; ++cycle) {
         if (cycle == first_cycles) {
-            before = measure();
+            before = size_of(velocity);
         }
-        std::fill(load.begin(), load.end(), still);
-        for (const Spring& spring : springs_) {
-            const bool is_wall = spring.j == no_slot;
-            const Motion& way_j = is_wall ? still : way[spring.j];
-            const Motion& velocity_j = is_wall ? still : velocity[spring.j];
-            const Vec3 shift = at_contact(spring, way[spring.i], way_j);
-            const Vec3 rate = at_contact(spring, velocity[spring.i], velocity_j);
-            const double shift_n = dot(shift, spring.normal);
-            const double rate_n = dot(rate, spring.normal);
-            const Vec3 force =
-                (spring.stiffness.normal * shift_n + spring.damping_n * rate_n) * spring.normal +
-                spring.stiffness.shear * (shift - shift_n * spring.normal) +
-                spring.damping_s * (rate - rate_n * spring.normal);
-            const Vec3 turn = cross(spring.normal, force);
-            const Vec3 bend = way_j.angular - way[spring.i].angular;
-            const double twist = dot(bend, spring.normal);
-            const Vec3 moment = spring.rolling * (bend - twist * spring.normal) +
-                                spring.twisting * twist * spring.normal;
-            load[spring.i].linear += force;
-            load[spring.i].angular += spring.arm_i * turn + moment;
-            if (!is_wall) {
-                load[spring.j].linear -= force;
-                load[spring.j].angular += spring.arm_j * turn - moment;
-            }
-        }
-        for (std::size_t slot = 0; slot < size; ++slot) {
+        const std::vector<Motion> load = loads(way, velocity);
+        for (std::size_t slot = 0; slot < way.size(); ++slot) {
             velocity[slot].linear += timestep * inverse_mass_[slot] * load[slot].linear;
             velocity[slot].angular += timestep * inverse_inertia_[slot] * load[slot].angular;
             way[slot].linear += timestep * velocity[slot].linear;
             way[slot].angular += timestep * velocity[slot].angular;
         }
     }
-    return before > 0.0 ? std::pow(measure() / before, 1.0 / measured_cycles) : 1.0;
+    return before > 0.0 ? std::pow(size_of(velocity) / before, 1.0 / measured_cycles) : 1.0;
+}
+
+/// Velocities of equal parts of energy, whatever the size of the particle.
+std::vector<SmallMotions::Motion> SmallMotions::noise() const {
+    std::minstd_rand random(1);
+    const auto next = [&] { return static_cast<double>(random()) / 1e9 - 1.0; };
+    std::vector<Motion> velocity(inverse_mass_.size());
+    for (std::size_t slot = 0; slot < velocity.size(); ++slot) {
+        if (inverse_mass_[slot] > 0.0) {
+            const double linear = std::sqrt(inverse_mass_[slot]);
+            const double angular = std::sqrt(inverse_inertia_[slot]);
+            velocity[slot] = {{linear * next(), linear * next(), linear * next()},
+                              {angular * next(), angular * next(), angular * next()}};
+        }
+    }
+    return velocity;
+}
+
+/// Root of twice the kinetic energy.
+double SmallMotions::size_of(std::span<const Motion> velocity) const {
+    double sum = 0.0;
+    for (std::size_t slot = 0; slot < velocity.size(); ++slot) {
+        if (inverse_mass_[slot] > 0.0) {
+            const auto& [linear, angular] = velocity[slot];
+            sum += dot(linear, linear) / inverse_mass_[slot] +
+                   dot(angular, angular) / inverse_inertia_[slot];
+        }
+    }
+    return std::sqrt(sum);
+}
+
+/// Forces and torques, -(K u + C v).
+std::vector<SmallMotions::Motion> SmallMotions::loads(std::span<const Motion> way,
+                                                      std::span<const Motion> velocity) const {
+    std::vector<Motion> load(way.size());
+    const Motion still{};
+    // Relative motion of the surfaces at a contact.
+    const auto at_contact = [](const Spring& spring, const Motion& of_i, const Motion& of_j) {
+        return of_j.linear - of_i.linear -
+               cross(spring.arm_i * of_i.angular + spring.arm_j * of_j.angular, spring.normal);
+    };
+    for (const Spring& spring : springs_) {
+        const bool is_wall = spring.j == no_slot;
+        const Motion& way_j = is_wall ? still : way[spring.j];
+        const Motion& velocity_j = is_wall ? still : velocity[spring.j];
+        const Vec3 shift = at_contact(spring, way[spring.i], way_j);
+        const Vec3 rate = at_contact(spring, velocity[spring.i], velocity_j);
+        const double shift_n = dot(shift, spring.normal);
+        const double rate_n = dot(rate, spring.normal);
+        const Vec3 force =
+            (spring.stiffness.normal * shift_n + spring.damping_n * rate_n) * spring.normal +
+            spring.stiffness.shear * (shift - shift_n * spring.normal) +
+            spring.damping_s * (rate - rate_n * spring.normal);
+        const Vec3 turn = cross(spring.normal, force);
+        const Vec3 bend = way_j.angular - way[spring.i].angular;
+        const double twist = dot(bend, spring.normal);
+        const Vec3 moment = spring.rolling * (bend - twist * spring.normal) +
+                            spring.twisting * twist * spring.normal;
+        load[spring.i].linear += force;
+        load[spring.i].angular += spring.arm_i * turn + moment;
+        if (!is_wall) {
+            load[spring.j].linear -= force;
+            load[spring.j].angular += spring.arm_j * turn - moment;
+        }
+    }
+    return load;
 }
 
 }  // namespace grainbench

@@ -67,6 +67,10 @@ private:
              const ParticleState& particles,
              const ContactTable& table);
 
+    std::vector<Motion> noise() const;
+    std::vector<Motion> loads(std::span<const Motion> way, std::span<const Motion> velocity) const;
+    double size_of(std::span<const Motion> velocity) const;
+
     std::vector<Spring> springs_;
     std::vector<double> inverse_mass_;     ///< [1/kg] by slot
     std::vector<double> inverse_inertia_;  ///< [1/(kg m^2)] by slot
