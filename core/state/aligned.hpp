@@ -1,25 +1,30 @@
-/// Columns whose start suits every vector width and that never share a cache line.
+/// Columns whose start suits every vector width and that never share a cache line. Large ones ask
+/// the system for large pages, of which a processor needs to look up fewer.
 #pragma once
 
 #include <cstddef>
-#include <new>
 #include <vector>
 
 namespace grainbench {
 
+/// Room that no column shares a cache line with. Throws std::bad_alloc.
+void* allocate_column(std::size_t bytes);
+
+/// \param bytes as they were asked for
+void deallocate_column(void* p, std::size_t bytes);
+
 template <class T>
 struct CacheLineAllocator {
     using value_type = T;
-    static constexpr std::align_val_t alignment{64};
 
     CacheLineAllocator() = default;
 
     template <class U>
     CacheLineAllocator(const CacheLineAllocator<U>&) {}
 
-    T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), alignment)); }
+    T* allocate(std::size_t n) { return static_cast<T*>(allocate_column(n * sizeof(T))); }
 
-    void deallocate(T* p, std::size_t) { ::operator delete(p, alignment); }
+    void deallocate(T* p, std::size_t n) { deallocate_column(p, n * sizeof(T)); }
 
     friend bool operator==(const CacheLineAllocator&, const CacheLineAllocator&) { return true; }
 };
