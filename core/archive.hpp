@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -67,6 +68,9 @@ public:
     }
 
     const std::map<std::string, Column>& columns() const { return columns_; }
+
+    /// All of them; none are left.
+    std::map<std::string, Column> take_columns() { return std::exchange(columns_, {}); }
 
     void put_column(const std::string& name, Column column) { columns_[name] = std::move(column); }
 

@@ -705,17 +705,20 @@ void Engine::save(Archive& archive) const {
                                     image_shift_.y,
                                     image_shift_.z,
                                     distance_when_sorted_});
-    archive.put("engine/has_records", std::uint64_t{has_records_});
+    // Those of a cycle that left them for once are done with when it is saved; only the very first
+    // state is looked at again after a restart. They are as much as all else together.
+    const bool saves_records = has_records_ && (keep_records_ || cycle_ == 0);
+    archive.put("engine/has_records", std::uint64_t{saves_records});
     particles_.save(archive);
     if (orientations_) {
         orientations_->save(archive);
     }
     driven_.save(archive);
-    pairs_.save(archive);
+    pairs_.save(archive, saves_records);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         const std::string name = "wall-" + std::to_string(w + 1);
         walls_[w].save(archive, name);
-        wall_contacts_[w].save(archive, name + "/contacts");
+        wall_contacts_[w].save(archive, name + "/contacts", saves_records);
     }
     if (ledger_) {
         ledger_->save(archive);

@@ -84,8 +84,8 @@ private:
     int value_;
 };
 
-/// Errno of the first failure, 0 if all bytes are on the disk.
-int write_and_sync(Descriptor& file, std::string_view bytes) {
+/// Errno of the first failure, 0 if the system has taken all bytes.
+int write_all(const Descriptor& file, std::string_view bytes) {
     while (!bytes.empty()) {
         const ssize_t written = ::write(file.value(), bytes.data(), bytes.size());
         if (written < 0) {
@@ -96,6 +96,11 @@ int write_and_sync(Descriptor& file, std::string_view bytes) {
         }
         bytes.remove_prefix(static_cast<std::size_t>(written));
     }
+    return 0;
+}
+
+/// Errno of the first failure, 0 if all bytes are on the disk.
+int sync_and_close(Descriptor& file) {
     // Some special file systems have no fsync; there is nothing to wait for then.
     if (::fsync(file.value()) != 0 && errno != EINVAL && errno != ENOTSUP) {
         return errno;
@@ -116,13 +121,23 @@ void sync_folder(const std::filesystem::path& folder) {
 void write_file(const std::filesystem::path& path,
                 std::string_view bytes,
                 const std::filesystem::path& previous) {
+    write_file(path, {bytes}, previous);
+}
+
+void write_file(const std::filesystem::path& path,
+                std::initializer_list<std::string_view> pieces,
+                const std::filesystem::path& previous) {
     std::filesystem::path temporary = path;
     temporary += ".tmp";
     Descriptor file(temporary, O_WRONLY | O_CREAT | O_TRUNC);
     if (!file.is_open()) {
         throw_system_error("cannot create a file", path, errno);
     }
-    int failure = write_and_sync(file, bytes);
+    int failure = 0;
+    for (auto piece = pieces.begin(); failure == 0 && piece != pieces.end(); ++piece) {
+        failure = write_all(file, *piece);
+    }
+    failure = failure != 0 ? failure : sync_and_close(file);
     if (failure == 0 && !previous.empty() && std::rename(path.c_str(), previous.c_str()) != 0 &&
         errno != ENOENT) {
         failure = errno;

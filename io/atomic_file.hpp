@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -13,6 +14,11 @@ namespace grainbench::io {
 /// \param previous if not empty, an old file at `path` is kept under this name (same folder)
 void write_file(const std::filesystem::path& path,
                 std::string_view bytes,
+                const std::filesystem::path& previous = {});
+
+/// The same of bytes that lie in several places, one behind the other.
+void write_file(const std::filesystem::path& path,
+                std::initializer_list<std::string_view> pieces,
                 const std::filesystem::path& previous = {});
 
 /// Content of a file; Error(input_output) if it cannot be read.

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <chrono>
 #include <mutex>
+#include <utility>
 
 namespace grainbench::io {
 namespace {
@@ -331,7 +332,12 @@ void RunFolder::write_checkpoint(std::size_t realisation, Archive archive) {
     impl_->checkpoint.realisations[realisation] = std::move(archive);
     // In this order: a history may be ahead of its checkpoint, but never behind it.
     impl_->flush_history();
-    io::write_checkpoint(impl_->checkpoint_file(), impl_->checkpoint);
+    // Each file holds all realisations; where there is one alone, its state need not be kept.
+    std::vector<std::optional<Archive>>& states = impl_->checkpoint.realisations;
+    Checkpoint written{.scene_hash = impl_->checkpoint.scene_hash, .realisations = {}};
+    written.realisations =
+        states.size() > 1 ? states : std::exchange(states, std::vector<std::optional<Archive>>(1));
+    io::write_checkpoint(impl_->checkpoint_file(), std::move(written));
 }
 
 bool RunFolder::wants_contacts(std::size_t stage) const {

@@ -224,6 +224,8 @@ void PairContacts::add_forces(ParticleState& particles,
     };
     const std::size_t slabs = slab_start_.size() - 1;
     for (const std::size_t parity : {0U, 1U}) {
+    } else {
+        release_if_large(records_);
         workers.for_each((slabs + 1 - parity) / 2, [&](std::size_t part) {
             const std::size_t slab = 2 * part + parity;
             const std::ptrdiff_t first = first_touching(slab);
@@ -274,7 +276,9 @@ void PairContacts::save(Archive& archive) const {
         "pairs/candidate_j",
         std::vector<Index>(candidates_.j.begin(), candidates_.j.begin() + candidates_.count));
     objects_.save(archive, "pairs/objects");
-    archive.put("pairs/records", std::vector<double>(records_.begin(), records_.end()));
+    archive.put(
+        "pairs/records",
+        records ? std::vector<double>(records_.begin(), records_.end()) : std::vector<double>());
     archive.put("pairs/counters", std::vector<std::uint64_t>{late_, renewals_, builds_});
 }
 

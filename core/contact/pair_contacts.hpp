@@ -97,7 +97,8 @@ public:
 
     std::uint64_t candidate_builds() const { return builds_; }
 
-    void save(Archive& archive) const;
+    /// \param records whether those of the last forces are needed again
+    void save(Archive& archive, bool records) const;
     void load(const Archive& archive, const ParticleState& particles);
 
     /// Whether records() has one record for each touching contact.

@@ -505,7 +505,7 @@ std::size_t WallContacts::compute_object_count(const ParticleState& particles,
     return count;
 }
 
-void WallContacts::save(Archive& archive, const std::string& name) const {
+void WallContacts::save(Archive& archive, const std::string& name, bool records) const {
     clock_.save(archive, name);
     archive.put(
         name + "/candidate_particle",
@@ -515,7 +515,9 @@ void WallContacts::save(Archive& archive, const std::string& name) const {
         std::vector<Index>(candidates_.j.begin(), candidates_.j.begin() + candidates_.count));
     objects_.save(archive, name + "/objects");
     archive.put(name + "/force", std::vector<double>(force_.begin(), force_.end()));
-    archive.put(name + "/records", std::vector<double>(records_.begin(), records_.end()));
+    archive.put(
+        name + "/records",
+        records ? std::vector<double>(records_.begin(), records_.end()) : std::vector<double>());
     archive.put(name + "/late", late_);
 }
 

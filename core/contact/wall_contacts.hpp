@@ -95,7 +95,8 @@ public:
 
     std::uint64_t late_count() const { return late_; }
 
-    void save(Archive& archive, const std::string& name) const;
+    /// \param records see PairContacts
+    void save(Archive& archive, const std::string& name, bool records) const;
     void load(const Archive& archive,
               const std::string& name,
               const ParticleState& particles,

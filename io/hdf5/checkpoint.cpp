@@ -13,11 +13,13 @@ std::string group_name(std::size_t realisation) {
     return "realisation-" + std::to_string(realisation + 1);
 }
 
-void put_archive(const Handle& group, const Archive& archive) {
-    for (const auto& [name, column] : archive.columns()) {
+/// Gives the memory of each column back once HDF5 has it.
+void put_archive(const Handle& group, Archive& archive) {
+    for (auto& [name, column] : archive.take_columns()) {
         std::visit([&group, &name = name]<class T>(
                        const std::vector<T>& values) { put_column<T>(group, name, values); },
                    column);
+        column = Archive::Column();
     }
 }
 
@@ -47,9 +49,8 @@ Archive archive_of(const Handle& group) {
     return archive;
 }
 
-std::string encode(const Checkpoint& checkpoint) {
-    const Hdf5Session session;
-    const Handle file = create_file_image();
+Handle encode(Checkpoint& checkpoint) {
+    Handle file = create_file_image();
     put_attribute(file, "format", checkpoint_format);
     put_attribute(file, "scene_hash", checkpoint.scene_hash);
     put_attribute(file, "realisations", static_cast<std::int64_t>(checkpoint.realisations.size()));
@@ -58,7 +59,7 @@ std::string encode(const Checkpoint& checkpoint) {
             put_archive(create_group(file, group_name(k)), *checkpoint.realisations[k]);
         }
     }
-    return bytes_of(file);
+    return file;
 }
 
 Checkpoint decode(const std::filesystem::path& path) {
@@ -126,10 +127,12 @@ std::filesystem::path previous_checkpoint(const std::filesystem::path& path) {
     return path.parent_path() / previous;
 }
 
-void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
-    std::string bytes;
+void write_checkpoint(const std::filesystem::path& path, Checkpoint checkpoint) {
     try {
-        bytes = encode(checkpoint);
+        const Hdf5Session session;
+        const Handle file = encode(checkpoint);
+        const std::string_view bytes = bytes_of(file);
+        write_file(path, {seal_of(checkpoint_format, bytes), bytes}, previous_checkpoint(path));
     } catch (const Hdf5Failure& failure) {
         throw_input_output(
             {.what = "HDF5 cannot build a checkpoint: " + std::string(failure.what()),
@@ -137,7 +140,6 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& check
              .likely_cause = "not enough memory",
              .next_step = "run fewer realisations at a time"});
     }
-    write_file(path, sealed(checkpoint_format, bytes), previous_checkpoint(path));
 }
 
 std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& path,

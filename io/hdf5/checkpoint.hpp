@@ -22,8 +22,9 @@ struct Checkpoint {
 /// "checkpoint.h5" -> "checkpoint-previous.h5", in the same folder.
 std::filesystem::path previous_checkpoint(const std::filesystem::path& path);
 
-/// Replaces the file as a whole and keeps the old one as previous.
-void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
+/// Replaces the file as a whole and keeps the old one as previous. Takes apart what it is given, so
+/// that a state is in memory once and a half and not twice.
+void write_checkpoint(const std::filesystem::path& path, Checkpoint checkpoint);
 
 /// The newest checkpoint that can be read; nothing if there is none. Error(bad_input) if it belongs
 /// to another scene, Error(input_output) if neither file can be read.

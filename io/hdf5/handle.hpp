@@ -77,7 +77,10 @@ Result must(Result result, const std::string& action) {
 }
 
 Handle create_file_image();
-std::string bytes_of(const Handle& file);
+
+/// The bytes of the file where HDF5 holds them, until the file changes or is closed.
+std::string_view bytes_of(const Handle& file);
+
 Handle open_file_image(std::string& bytes);
 
 Handle create_group(const Handle& parent, const std::string& name);

@@ -70,9 +70,8 @@ RealisationHistory realisation_of(const Handle& group) {
     return result;
 }
 
-std::string encode(const History& history) {
-    const Hdf5Session session;
-    const Handle file = create_file_image();
+Handle encode(const History& history) {
+    Handle file = create_file_image();
     put_attribute(file, "format", history_format);
     put_attribute(file, "program", history.program);
     put_attribute(file, "scene", history.scene);
@@ -90,7 +89,7 @@ std::string encode(const History& history) {
         }
         put_traces(create_group(group, traces_group), realisation.traces);
     }
-    return bytes_of(file);
+    return file;
 }
 
 History decode(std::string bytes) {
@@ -109,16 +108,17 @@ History decode(std::string bytes) {
 }  // namespace
 
 void write_history(const std::filesystem::path& path, const History& history) {
-    std::string bytes;
     try {
-        bytes = encode(history);
+        const Hdf5Session session;
+        const Handle file = encode(history);
+        const std::string_view bytes = bytes_of(file);
+        write_file(path, {seal_of(history_format, bytes), bytes});
     } catch (const Hdf5Failure& failure) {
         throw_input_output({.what = "HDF5 cannot build a history: " + std::string(failure.what()),
                             .where = path.string(),
                             .likely_cause = "not enough memory, or two columns of the same name",
                             .next_step = "record fewer rows, or give the observables other names"});
     }
-    write_file(path, sealed(history_format, bytes));
 }
 
 History read_history(const std::filesystem::path& path) {

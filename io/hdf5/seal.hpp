@@ -3,15 +3,16 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace grainbench::io {
 
-/// The file with its seal.
+/// What goes in front of the bytes of a file.
 /// \param format name and version of the format, such as "grainbench-checkpoint/1"
-std::string sealed(const std::string& format, const std::string& bytes);
+std::string seal_of(const std::string& format, std::string_view bytes);
 
 /// The file without its seal; throws Hdf5Failure if the seal is missing, of another format, or does
 /// not fit the bytes.
-std::string unsealed(const std::string& format, const std::string& bytes);
+std::string unsealed(const std::string& format, std::string bytes);
 
 }  // namespace grainbench::io

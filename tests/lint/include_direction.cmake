@@ -4,14 +4,14 @@ include(${CMAKE_CURRENT_LIST_DIR}/lint.cmake)
 # Project headers allowed in quotes, third-party headers allowed in angle brackets. A header of the
 # standard library has no dot in its name and is allowed everywhere.
 set(quoted_core "^core/")
-set(angled_core "^(Eigen|hwy|tbb|oneapi/tbb|sanitizer)/")
+set(angled_core "^(Eigen|hwy|tbb|oneapi/tbb|sanitizer)/|^sys/mman[.]h$")
 set(quoted_io "^(core|io)/")
 set(angled_io "^(nlohmann|valijson|fmt|spdlog)/|^vtk[A-Za-z0-9]+[.]h$|^hdf5[.]h$|^(unistd|fcntl|sys/[a-z]+)[.]h$")
 set(quoted_render "^(core|io|render)/")
 set(forbidden_render "^core/contact/")  # pictures come from run folders, not from laws
 set(angled_render "^(nlohmann|fmt)/|^vtk[A-Za-z0-9]+[.]h$|^GL/|^(dlfcn|png)[.]h$")
 set(quoted_cli "^(core|io|render|cli)/")
-set(angled_cli "^(CLI|benchmark|fmt|spdlog)/|^(unistd|sys/[a-z]+)[.]h$")
+set(angled_cli "^(CLI|benchmark|fmt|spdlog)/|^(unistd|malloc|sys/[a-z]+)[.]h$")
 set(quoted_tests "^(core|io|render|cli|tests)/")
 set(angled_tests "^")
 
