@@ -557,11 +557,14 @@ void Engine::update_stable_step() {
     if (table_.stiffens()) {
         table_.expect_impacts(impact_speed());
     }
-    sums_.clear(
-        particles_, table_.rotation_rules(), table_.rolling_ratio(), table_.twisting_ratio());
+    sums_.clear(particles_,
+                table_.rotation_rules(),
+                table_.rolling_ratio(),
+                table_.twisting_ratio(),
+                workers_);
     const StepSums sums = sums_.sums();
     const bool touching_only = detection_.create_on_overlap;
-    pairs_.add_steps(particles_, table_, touching_only, sums, *kernels_);
+    pairs_.add_steps(particles_, table_, touching_only, sums, *kernels_, workers_);
     if (particles_.has_images()) {
         sums_.fold_images(particles_);
     }
@@ -569,7 +572,7 @@ void Engine::update_stable_step() {
         wall_contacts_[w].add_steps(
             particles_, walls_[w], table_, touching_only, sums, *kernels_, workers_);
     }
-    stable_ = sums_.limit(particles_, *kernels_);
+    stable_ = sums_.limit(particles_, *kernels_, workers_);
     if (const auto* scaled = std::get_if<ScaledTimestep>(&scheme_)) {
         scale_inertia(scaled->value, scaled->safety_factor);
     }
@@ -578,10 +581,13 @@ void Engine::update_stable_step() {
 double Engine::compute_touching_limit() {
     ContactTable as_deep_as_now = table_;
     as_deep_as_now.expect_impacts(0.0);
-    sums_.clear(
-        particles_, table_.rotation_rules(), table_.rolling_ratio(), table_.twisting_ratio());
+    sums_.clear(particles_,
+                table_.rotation_rules(),
+                table_.rolling_ratio(),
+                table_.twisting_ratio(),
+                workers_);
     const StepSums sums = sums_.sums();
-    pairs_.add_steps(particles_, as_deep_as_now, true, sums, *kernels_);
+    pairs_.add_steps(particles_, as_deep_as_now, true, sums, *kernels_, workers_);
     if (particles_.has_images()) {
         sums_.fold_images(particles_);
     }
@@ -589,7 +595,7 @@ double Engine::compute_touching_limit() {
         wall_contacts_[w].add_steps(
             particles_, walls_[w], as_deep_as_now, true, sums, *kernels_, workers_);
     }
-    return sums_.limit(particles_, *kernels_);
+    return sums_.limit(particles_, *kernels_, workers_);
 }
 
 double Engine::compute_growth(double timestep) const {

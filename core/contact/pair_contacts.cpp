@@ -198,6 +198,24 @@ bool PairContacts::find_touching(const ParticleState& particles,
     return objects_.set_touching(within_, workers);
 }
 
+/// Every other slab at a time, since contacts of one reach into the next.
+template <class Act>
+void PairContacts::for_each_slab(const Workers& workers, const Act& act) const {
+    const std::size_t slabs = slab_start_.size() - 1;
+    for (const std::size_t parity : {0U, 1U}) {
+        workers.for_each((slabs + 1 - parity) / 2,
+                         [&](std::size_t part) { act(2 * part + parity); });
+    }
+}
+
+std::size_t PairContacts::first_touching(std::size_t slab) const {
+    const auto first =
+        std::partition_point(touching().begin(), touching().end(), [&](TouchingContact contact) {
+            return contact.place() < slab_start_[slab];
+        });
+    return static_cast<std::size_t>(first - touching().begin());
+}
+
 void PairContacts::add_forces(ParticleState& particles,
                               const ContactTable& table,
                               double timestep,
@@ -206,6 +224,8 @@ void PairContacts::add_forces(ParticleState& particles,
                               const Workers& workers) {
     if (records) {
         records_.resize(touching().size() * record_size);
+    } else {
+        release_if_large(records_);
     }
     const PairPass all{.particles = particles.view(),
                        .laws = table.view(timestep),
@@ -215,59 +235,66 @@ void PairContacts::add_forces(ParticleState& particles,
                        .touching_count = static_cast<Index>(touching().size()),
                        .rows = objects_.rows(),
                        .records = records ? records_.data() : nullptr};
-    const auto first_touching = [&](std::size_t slab) {
-        return std::partition_point(
-                   touching().begin(),
-                   touching().end(),
-                   [&](TouchingContact contact) { return contact.place() < slab_start_[slab]; }) -
-               touching().begin();
-    };
-    const std::size_t slabs = slab_start_.size() - 1;
-    for (const std::size_t parity : {0U, 1U}) {
-    } else {
-        release_if_large(records_);
-        workers.for_each((slabs + 1 - parity) / 2, [&](std::size_t part) {
-            const std::size_t slab = 2 * part + parity;
-            const std::ptrdiff_t first = first_touching(slab);
-            PairPass pass = all;
-            pass.touching += first;
-            pass.touching_count = static_cast<Index>(first_touching(slab + 1) - first);
-            if (records) {
-                pass.records += static_cast<std::size_t>(first) * record_size;
-            }
-            kernels.pair_pass(pass);
-        });
-    }
+    for_each_slab(workers, [&](std::size_t slab) {
+        const std::size_t first = first_touching(slab);
+        PairPass pass = all;
+        pass.touching += first;
+        pass.touching_count = static_cast<Index>(first_touching(slab + 1) - first);
+        if (records) {
+            pass.records += first * record_size;
+        }
+        kernels.pair_pass(pass);
+    });
 }
 
 void PairContacts::add_steps(ParticleState& particles,
                              const ContactTable& table,
                              bool touching_only,
                              const StepSums& sums,
-                             const Kernels& kernels) {
-    const PairList& list = objects_.list();
-    found_.resize(std::max<std::size_t>(found_.size(), list.count + 8));
-    auto count = static_cast<Index>(touching().size());
-    if (touching_only) {
-        std::transform(
-            touching().begin(), touching().end(), found_.begin(), [](TouchingContact contact) {
-                return contact.place();
-            });
-    } else {
+                             const Kernels& kernels,
+                             const Workers& workers) {
+    double extra = 0.0;
+    if (!touching_only) {
         clock_.look_ahead(particles.smallest_radius());
-        const double extra = clock_.settings().brute_force ? 1e300 : 2.0 * clock_.horizon();
-        count = kernels.find_pairs(query(particles, list, 1.0, extra), found_.data());
+        extra = clock_.settings().brute_force ? 1e300 : 2.0 * clock_.horizon();
     }
-    kernels.add_pair_steps({.particles = particles.view(),
-                            .laws = table.view(0.0),
-                            .i = list.i.data(),
-                            .j = list.j.data(),
-                            .place = found_.data(),
-                            .count = count,
-                            .sums = sums});
+    constexpr std::size_t spare = 8;  // of find_pairs
+    const PairQuery whole = query(particles, objects_.list(), 1.0, extra);
+    found_.resize(
+        std::max<std::size_t>(found_.size(), whole.count + spare * (slab_start_.size() - 1)));
+    const PairStepPass all{.particles = particles.view(),
+                           .laws = table.view(0.0),
+                           .i = whole.i,
+                           .j = whole.j,
+                           .place = nullptr,
+                           .count = 0,
+                           .sums = sums};
+    for_each_slab(workers, [&](std::size_t slab) {
+        const Index first = slab_start_[slab];
+        Index* const found = found_.data() + first + spare * slab;
+        PairStepPass pass = all;
+        pass.i += first;
+        pass.j += first;
+        pass.place = found;
+        if (touching_only) {
+            const std::size_t from = first_touching(slab);
+            pass.count = static_cast<Index>(first_touching(slab + 1) - from);
+            std::transform(touching().begin() + from,
+                           touching().begin() + from + pass.count,
+                           found,
+                           [&](TouchingContact contact) { return contact.place() - first; });
+        } else {
+            PairQuery part = whole;
+            part.i += first;
+            part.j += first;
+            part.count = slab_start_[slab + 1] - first;
+            pass.count = kernels.find_pairs(part, found);
+        }
+        kernels.add_pair_steps(pass);
+    });
 }
 
-void PairContacts::save(Archive& archive) const {
+void PairContacts::save(Archive& archive, bool records) const {
     clock_.save(archive, "pairs");
     archive.put(
         "pairs/candidate_i",

@@ -77,7 +77,8 @@ public:
                    const ContactTable& table,
                    bool touching_only,
                    const StepSums& sums,
-                   const Kernels& kernels);
+                   const Kernels& kernels,
+                   const Workers& workers = {});
 
     const PairList& objects() const { return objects_.list(); }
 
@@ -114,6 +115,12 @@ private:
                     const PairList& list,
                     double scale,
                     double extra) const;
+
+    template <class Act>
+    void for_each_slab(const Workers& workers, const Act& act) const;
+
+    /// First touching contact of a slab, or of those behind it.
+    std::size_t first_touching(std::size_t slab) const;
 
     ListClock clock_;
     CandidateFinder finder_;

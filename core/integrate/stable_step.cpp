@@ -32,16 +32,38 @@ double largest_ratio(double inverse_mass,
     return largest;
 }
 
+struct Rows {
+    std::size_t first, last;
+};
+
+/// Calls act(slab, rows) for all slabs; the last has the rows that pad the columns, and images.
+template <class Act>
+void for_each_slab(const ParticleState& particles, const Workers& workers, const Act& act) {
+    const std::size_t count = std::max<std::size_t>(particles.slab_count(), 1);
+    const std::size_t rows = particles.positions().size() / 4;
+    const std::size_t size = particles.slab_size();
+    workers.for_each(count, [&](std::size_t slab) {
+        act(slab, Rows{slab * size, slab + 1 == count ? rows : (slab + 1) * size});
+    });
+}
+
 }  // namespace
 
 void StableStep::clear(const ParticleState& particles,
                        bool rotation_rules,
                        double rolling,
-                       double twisting) {
+                       double twisting,
+                       const Workers& workers) {
     rolling_ = rolling;
     twisting_ = twisting;
-    shear_.assign(particles.positions().size(), 0.0);
-    normal_.assign(rotation_rules ? 0 : shear_.size(), 0.0);
+    shear_.resize(particles.positions().size());
+    normal_.resize(rotation_rules ? 0 : shear_.size());
+    for_each_slab(particles, workers, [&](std::size_t, Rows rows) {
+        std::fill(shear_.begin() + 4 * rows.first, shear_.begin() + 4 * rows.last, 0.0);
+        if (!rotation_rules) {
+            std::fill(normal_.begin() + 4 * rows.first, normal_.begin() + 4 * rows.last, 0.0);
+        }
+    });
 }
 
 void StableStep::fold_images(const ParticleState& particles) {
@@ -60,8 +82,19 @@ StepSums StableStep::sums() {
     return {shear_.data(), normal_.empty() ? nullptr : normal_.data(), rolling_, twisting_};
 }
 
-double StableStep::limit(ParticleState& particles, const Kernels& kernels) {
-    return step_of(kernels.largest_step_ratio(particles.view(), sums()));
+double StableStep::limit(ParticleState& particles, const Kernels& kernels, const Workers& workers) {
+    const ParticleView all = particles.view();
+    largest_.assign(std::max<std::size_t>(particles.slab_count(), 1), 0.0);
+    for_each_slab(particles, workers, [&](std::size_t slab, Rows rows) {
+        ParticleView part = all;
+        part.velocity += 4 * rows.first;
+        part.padded_count = rows.last - rows.first;
+        StepSums of_part = sums();
+        of_part.shear += 4 * rows.first;
+        of_part.normal += of_part.normal == nullptr ? 0 : 4 * rows.first;
+        largest_[slab] = kernels.largest_step_ratio(part, of_part);
+    });
+    return step_of(*std::max_element(largest_.begin(), largest_.end()));
 }
 
 double StableStep::limit_of(const ParticleState& particles, Index slot) const {

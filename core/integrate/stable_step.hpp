@@ -18,6 +18,7 @@
 
 #include "core/body/body_forces.hpp"
 #include "core/contact/contact_table.hpp"
+#include "core/parallel/workers.hpp"
 #include "core/state/particle_state.hpp"
 
 namespace grainbench {
@@ -32,7 +33,8 @@ public:
     void clear(const ParticleState& particles,
                bool rotation_rules,
                double rolling,
-               double twisting);
+               double twisting,
+               const Workers& workers);
 
     /// Hands what contacts added to images of particles to their owners.
     void fold_images(const ParticleState& particles);
@@ -40,7 +42,7 @@ public:
     StepSums sums();
 
     /// Smallest dt_i of (1) [s]; infinite without contacts.
-    double limit(ParticleState& particles, const Kernels& kernels);
+    double limit(ParticleState& particles, const Kernels& kernels, const Workers& workers);
 
     /// dt_i of one particle [s]; infinite without contacts.
     double limit_of(const ParticleState& particles, Index slot) const;
@@ -54,8 +56,9 @@ public:
 private:
     Column<double> shear_;   ///< packet by particle: sum of K_s n^2 per axis, sum of K_s [N/m]
     Column<double> normal_;  ///< packet by particle: sum of K_n n^2 per axis [N/m]; may be empty
-    double rolling_ = 0.0;   ///< [1]
-    double twisting_ = 0.0;  ///< [1]
+    std::vector<double> largest_;  ///< by slab: of k/m and kappa/I [1/s^2]
+    double rolling_ = 0.0;         ///< [1]
+    double twisting_ = 0.0;        ///< [1]
 };
 
 /// Largest dt for which no particle moves by more than its tolerance along an axis [s]:

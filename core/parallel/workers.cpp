@@ -1,5 +1,6 @@
 #include "core/parallel/workers.hpp"
 
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
@@ -46,8 +47,11 @@ private:
 }  // namespace
 
 struct Workers::Pool {
-    explicit Pool(unsigned threads) : arena(static_cast<int>(threads)) {}
+    explicit Pool(unsigned threads)
+        : most(tbb::global_control::max_allowed_parallelism, threads),
+          arena(static_cast<int>(threads)) {}
 
+    tbb::global_control most;  ///< else oneTBB complains of more threads than there are cores
     tbb::task_arena arena;
 };
 
