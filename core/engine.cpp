@@ -99,7 +99,7 @@ Engine::Engine(const Scene& scene, std::uint64_t seed, const SimulationOptions& 
       scheme_(scene.timestep),
       detection_(scene.detection),
       scene_gravity_(scene.gravity.value_or(Vec3{})),
-      keep_records_(scene.observables.energy.has_value() || writes(scene, &Output::contacts)),
+      keep_records_(scene.observables.energy.has_value()),
       walls_(build_walls(scene, materials_)),
       changes_population_(population_changes(scene)) {
     std::vector<Surface> surfaces;

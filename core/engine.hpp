@@ -69,7 +69,8 @@ public:
     /// Mean velocity in the last cycle [m/s].
     const Vec3& bed_velocity() const { return bed_velocity_; }
 
-    /// Lets the contacts of the next cycle leave records, as keeps_records() does for all.
+    /// Lets the contacts of the next cycle leave records, which contact frames and fields read.
+    /// With a ledger all cycles do.
     void want_records() { want_records_ = true; }
 
     /// Whether the last cycle left records.
@@ -124,9 +125,6 @@ public:
 
     /// Of contacts alone [N].
     Vec3 contact_force(Index slot) const;
-
-    /// Whether contacts leave records, which contact frames and the ledger read.
-    bool keeps_records() const { return keep_records_; }
 
     bool has_ledger() const { return ledger_ != nullptr; }
 

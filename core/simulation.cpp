@@ -78,7 +78,7 @@ struct Simulation::Impl {
         }
         measurements = build_measurements(scene, up_direction(scene));
         name_columns();
-        if (scene.observables.coarse_graining) {
+        if (writes_loads()) {
             engine.want_records();
         }
         enter_stage(0);
@@ -94,7 +94,8 @@ struct Simulation::Impl {
     void observe();
     void report_all(Observer& observer, const Simulation& self);
     void report_due(Observer& observer, const Simulation& self);
-    void want_records_for_fields();
+    bool writes_loads() const;
+    void want_records_for_output();
 
     MeasureView view() const {
         return {.particles = engine.particles(),
@@ -290,10 +291,17 @@ void Simulation::Impl::report_due(Observer& observer, const Simulation& self) {
     }
 }
 
-/// Stress needs the forces of single contacts, which only the steps leave whose end is looked at.
-void Simulation::Impl::want_records_for_fields() {
+/// Whether some output of this stage holds forces of single contacts.
+bool Simulation::Impl::writes_loads() const {
+    return scene.observables.coarse_graining || output().contacts;
+}
+
+/// Forces of single contacts are left by those steps alone whose end is looked at.
+void Simulation::Impl::want_records_for_output() {
     const double next = engine.time() + engine.next_timestep();
-    if (next >= stage_end || schedule.fields_are_due(next)) {
+    const bool fields_are_due = scene.observables.coarse_graining && schedule.fields_are_due(next);
+    const bool contacts_are_due = output().contacts && schedule.frame.would_fire(next);
+    if (next >= stage_end || fields_are_due || contacts_are_due) {
         engine.want_records();
     }
 }
@@ -332,8 +340,8 @@ bool Simulation::advance(std::uint64_t cycles, Observer& observer) {
             return false;
         }
         s.guards.before_step(s.engine);
-        if (s.scene.observables.coarse_graining) {
-            s.want_records_for_fields();
+        if (s.writes_loads()) {
+            s.want_records_for_output();
         }
         s.engine.step();
         if (const PopulationChange* change = s.engine.population_change()) {
@@ -462,11 +470,13 @@ WallFrame Simulation::wall_frame() const {
 
 ContactFrame Simulation::contact_frame() const {
     const Engine& engine = impl_->engine;
-    if (!engine.keeps_records()) {
-        throw_bad_input({.what = "the forces of single contacts are not kept in this run",
-                         .where = "/output/contacts",
-                         .likely_cause = "a frame of contacts is asked of a scene that writes none",
-                         .next_step = "set /output/contacts or /observables/energy"});
+    if (!engine.has_records()) {
+        throw_bad_input(
+            {.what = "the last cycle left no forces of single contacts",
+             .where = "/output/contacts",
+             .likely_cause = "contacts are asked for at a time when no frame of them is due",
+             .next_step = "set /output/contacts and ask when on_frame() is called, or set "
+                          "/observables/energy"});
     }
     const ParticleState& p = engine.particles();
     ContactFrame frame;

@@ -94,7 +94,8 @@ public:
 
     ParticleFrame particle_frame() const;
     WallFrame wall_frame() const;
-    /// Throws Error(bad_input) unless the scene writes contacts or has an energy ledger.
+    /// Throws Error(bad_input) unless a frame of contacts is due, at on_frame(), or the scene has
+    /// an energy ledger.
     ContactFrame contact_frame() const;
     /// Throws Error(bad_input) unless fields are due, at on_fields().
     FieldFrame field_frame() const;

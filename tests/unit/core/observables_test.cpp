@@ -274,5 +274,43 @@ TEST(ContactFrame, ForcesAddUpToThoseOnTheParticles) {
     }
 }
 
+/// Counts frames, and the contacts in them.
+class ContactCounter : public Observer {
+public:
+    void on_frame(const Simulation& simulation) override {
+        ++frames;
+        contacts += simulation.contact_frame().overlap.size();
+    }
+
+    int frames = 0;
+    std::size_t contacts = 0;
+};
+
+TEST(ContactFrame, IsThereWhereOneIsDueAndOnlyThereIsPaidFor) {
+    Scene scene = thrown_bed();
+    scene.observables.energy.reset();
+    scene.guards.energy.action = GuardAction::ignore;  // looks at forces of contacts, too
+    scene.output.contacts = true;
+    scene.output.frame_interval = 0.006;
+    Simulation simulation(scene, 0);
+    ContactCounter counter;
+    int cycles_with = 0;
+    while (!simulation.advance(1, counter)) {
+        const int before = counter.frames;
+        try {
+            static_cast<void>(simulation.contact_frame());
+            ++cycles_with;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::bad_input);
+        }
+        ASSERT_EQ(counter.frames, before);
+    }
+    // At the start, after every 6 ms of the stages of 30 and 10 ms, and at the end.
+    EXPECT_EQ(counter.frames, 8);
+    EXPECT_GT(counter.contacts, 100U);
+    // The last cycle of the first stage, and the frames but the first and the last.
+    EXPECT_LE(cycles_with, 8);
+}
+
 }  // namespace
 }  // namespace grainbench::test

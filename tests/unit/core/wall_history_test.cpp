@@ -32,6 +32,7 @@ Scene sliding_sphere(const WallShape& shape, const Vec3& down, const Vec3& way) 
     stage.duration = 0.08;
     scene.stages = {stage};
     scene.output.contacts = true;
+    scene.output.frame_interval = 1e-5;  // contacts are looked at in every cycle
     return scene;
 }
 
