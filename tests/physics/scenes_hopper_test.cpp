@@ -67,10 +67,12 @@ TEST(Hopper, RateGrowsWithThePowerFiveHalvesOfTheOpening) {
         log_width.push_back(std::log(2.0 * openings[n].hole - excluded));
         log_rate.push_back(std::log(steady));
     }
-    // How far the exponent is from 5/2 hangs on k and on the packing: 2.645 and 2.686 in two orders
-    // of the sums, with k = 1.4. What is held to here is that 5/2 fits, with a k that makes sense:
-    // at least the half bead on each side of the hole that no centre can pass, not many beads.
-    std::printf("exponent %.3f with k = 1.4\n", test::line_through(log_width, log_rate).slope);
+    const double exponent = test::line_through(log_width, log_rate).slope;
+    std::printf("exponent %.3f with k = 1.4\n", exponent);
+    // A rate over this time wanders by up to 4 % from one half of it to the other, which at the
+    // ends of a range of 2.2 in (D - k d) makes 0.05 in the exponent; k differs with friction,
+    // from 1.5 to 2.1 (share/doc/scenes.md), and every tenth of it makes 0.015.
+    EXPECT_NEAR(exponent, 2.5, 0.15);
     const auto line = test::line_through(width, root);
     const double k = -line.intercept / line.slope;
     std::printf("k = %.2f with the exponent 5/2\n", k);
@@ -78,7 +80,6 @@ TEST(Hopper, RateGrowsWithThePowerFiveHalvesOfTheOpening) {
     EXPECT_LT(k, 3.0);
     for (std::size_t n = 0; n < width.size(); ++n) {
         const double law = std::pow(line.slope * (width[n] - k), 2.5);
-        // A rate over this time wanders by up to 4 % from one half of it to the other.
         EXPECT_NEAR(std::pow(root[n], 2.5) / law, 1.0, 0.05) << width[n] << " d";
     }
 }

@@ -91,7 +91,7 @@ const Breach breaches[] = {
      "column-collapse.json"},
     {"LatticeSpacing",
      {"/particles/insertion/0/spacing/1=0"},
-     "/particles/insertion/0/spacing/1: 0 m between 7 spheres",
+     "/particles/insertion/0/spacing/1: 0 m between 12 spheres",
      "column-collapse.json"},
     {"LatticeHuge",
      {"/particles/insertion/0/counts=[100000, 100000, 100000]"},
