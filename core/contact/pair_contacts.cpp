@@ -258,7 +258,8 @@ void PairContacts::add_steps(ParticleState& particles,
         clock_.look_ahead(particles.smallest_radius());
         extra = clock_.settings().brute_force ? 1e300 : 2.0 * clock_.horizon();
     }
-    constexpr std::size_t spare = 8;  // of find_pairs
+    constexpr Index block = 8;
+    constexpr std::size_t spare = 2 * block;  // behind what find_pairs writes, and before
     const PairQuery whole = query(particles, objects_.list(), 1.0, extra);
     found_.resize(
         std::max<std::size_t>(found_.size(), whole.count + spare * (slab_start_.size() - 1)));
@@ -270,11 +271,13 @@ void PairContacts::add_steps(ParticleState& particles,
                            .count = 0,
                            .sums = sums};
     for_each_slab(workers, [&](std::size_t slab) {
+        // Whole blocks from one that a pass may begin with: lists are readable to the end of those.
         const Index first = slab_start_[slab];
-        Index* const found = found_.data() + first + spare * slab;
+        const Index start = first / block * block;
+        Index* const found = found_.data() + start + spare * slab;
         PairStepPass pass = all;
-        pass.i += first;
-        pass.j += first;
+        pass.i += start;
+        pass.j += start;
         pass.place = found;
         if (touching_only) {
             const std::size_t from = first_touching(slab);
@@ -282,13 +285,15 @@ void PairContacts::add_steps(ParticleState& particles,
             std::transform(touching().begin() + from,
                            touching().begin() + from + pass.count,
                            found,
-                           [&](TouchingContact contact) { return contact.place() - first; });
+                           [&](TouchingContact contact) { return contact.place() - start; });
         } else {
             PairQuery part = whole;
-            part.i += first;
-            part.j += first;
-            part.count = slab_start_[slab + 1] - first;
-            pass.count = kernels.find_pairs(part, found);
+            part.i += start;
+            part.j += start;
+            part.count = slab_start_[slab + 1] - start;
+            const Index* const end = found + kernels.find_pairs(part, found);
+            pass.place = std::lower_bound<const Index*>(found, end, first - start);
+            pass.count = static_cast<Index>(end - pass.place);
         }
         kernels.add_pair_steps(pass);
     });
