@@ -229,10 +229,13 @@ struct Block {
 /// Particles whose columns a second-level cache of a megabyte holds together with their contacts.
 inline constexpr std::size_t cached_particles = 4000;
 
-/// Whether a block asks for what one three blocks later will read.
+/// Touching contact before which blocks ask for what one three blocks later will read.
 template <class Pass>
-bool fetches_ahead(const Pass& pass, Index first) {
-    return pass.particles.count > cached_particles && first + 4 * width < pass.touching_count;
+Index end_of_fetching(const Pass& pass) {
+    constexpr Index ahead = 4 * width;
+    return pass.particles.count > cached_particles && pass.touching_count > ahead
+               ? pass.touching_count - ahead
+               : 0;
 }
 
 /// Asks for what a later block will read, if its bodies do not simply follow each other: partners
@@ -269,11 +272,12 @@ GRAINBENCH_FLATTEN void pair_pass(const PairPass& pass) {
     const Laws laws(pass.laws.choice);
     const Index packets = history_packets(laws.history_size());
     const ParticleView& p = pass.particles;
+    const Index fetching_end = end_of_fetching(pass);
     const Pack timestep(pass.laws.timestep);
     LawValues<Laws> values(laws, pass.laws);
     for (Index first = 0; first < pass.touching_count; first += width) {
         const Block block(pass.touching + first, pass.touching_count - first);
-        if (fetches_ahead(pass, first)) {
+        if (first < fetching_end) {
             fetch_ahead(p, pass.touching + first + 3 * width, pass.j, pass.rows, packets);
         }
         Index row_i[width];
@@ -384,6 +388,7 @@ GRAINBENCH_FLATTEN void wall_pass(const WallPass& pass) {
     const Index packets = history_packets(laws.history_size());
     const Index row_packets = packets + 1;
     const ParticleView& p = pass.particles;
+    const Index fetching_end = end_of_fetching(pass);
     const Pack timestep(pass.laws.timestep);
     const auto spread = [](const double(&v)[3]) {
         return Vec3Of<Pack>{Pack(v[0]), Pack(v[1]), Pack(v[2])};
@@ -394,7 +399,7 @@ GRAINBENCH_FLATTEN void wall_pass(const WallPass& pass) {
     LawValues<Laws> values(laws, pass.laws);
     for (Index first = 0; first < pass.touching_count; first += width) {
         const Block block(pass.touching + first, pass.touching_count - first);
-        if (fetches_ahead(pass, first)) {
+        if (first < fetching_end) {
             fetch_ahead(
                 p, pass.touching + first + 3 * width, pass.particle, pass.rows, row_packets);
         }
