@@ -229,31 +229,17 @@ struct Block {
 /// Particles whose columns a second-level cache of a megabyte holds together with their contacts.
 inline constexpr std::size_t cached_particles = 4000;
 
-/// Touching contact before which blocks ask for what one three blocks later will read.
-template <class Pass>
-Index end_of_fetching(const Pass& pass) {
-    constexpr Index ahead = 4 * width;
-    return pass.particles.count > cached_particles && pass.touching_count > ahead
-               ? pass.touching_count - ahead
-               : 0;
-}
-
-/// Asks for what a later block will read, if its bodies do not simply follow each other: partners
-/// lie in a dozen places at once, and balls at a wall far apart, more than processors foresee.
-///
-/// \param body by place
-inline void fetch_ahead(const ParticleView& p,
-                        const TouchingContact* touching,
-                        const Index* body,
-                        const double* rows,
-                        Index row_packets) {
+/// Asks for what a later block will read. Its partners lie in a dozen places at once, more than
+/// processors follow by themselves.
+inline void fetch_ahead(const PairPass& pass, Index first, Index row_packets) {
+    const ParticleView& p = pass.particles;
     for (Index l = 0; l < width; ++l) {
-        const Index place = touching[l].place();
-        const std::size_t at = 4 * std::size_t{body[place]};
+        const Index place = pass.touching[first + l].place();
+        const std::size_t at = 4 * std::size_t{pass.j[place]};
         for (const double* column : {p.position, p.velocity, p.spin, p.force, p.torque}) {
             __builtin_prefetch(column + at, 1);
         }
-        __builtin_prefetch(rows + 4 * std::size_t{row_packets} * place, 1);
+        __builtin_prefetch(pass.rows + 4 * std::size_t{row_packets} * place, 1);
     }
 }
 
@@ -272,13 +258,13 @@ GRAINBENCH_FLATTEN void pair_pass(const PairPass& pass) {
     const Laws laws(pass.laws.choice);
     const Index packets = history_packets(laws.history_size());
     const ParticleView& p = pass.particles;
-    const Index fetching_end = end_of_fetching(pass);
+    const bool is_far = p.count > cached_particles;
     const Pack timestep(pass.laws.timestep);
     LawValues<Laws> values(laws, pass.laws);
     for (Index first = 0; first < pass.touching_count; first += width) {
         const Block block(pass.touching + first, pass.touching_count - first);
-        if (first < fetching_end) {
-            fetch_ahead(p, pass.touching + first + 3 * width, pass.j, pass.rows, packets);
+        if (is_far && first + 4 * width < pass.touching_count) {
+            fetch_ahead(pass, first + 3 * width, packets);
         }
         Index row_i[width];
         Index row_j[width];
@@ -388,7 +374,6 @@ GRAINBENCH_FLATTEN void wall_pass(const WallPass& pass) {
     const Index packets = history_packets(laws.history_size());
     const Index row_packets = packets + 1;
     const ParticleView& p = pass.particles;
-    const Index fetching_end = end_of_fetching(pass);
     const Pack timestep(pass.laws.timestep);
     const auto spread = [](const double(&v)[3]) {
         return Vec3Of<Pack>{Pack(v[0]), Pack(v[1]), Pack(v[2])};
@@ -399,10 +384,6 @@ GRAINBENCH_FLATTEN void wall_pass(const WallPass& pass) {
     LawValues<Laws> values(laws, pass.laws);
     for (Index first = 0; first < pass.touching_count; first += width) {
         const Block block(pass.touching + first, pass.touching_count - first);
-        if (first < fetching_end) {
-            fetch_ahead(
-                p, pass.touching + first + 3 * width, pass.particle, pass.rows, row_packets);
-        }
         Index row[width];
         for (Index l = 0; l < width; ++l) {
             row[l] = pass.particle[block.place[l]];
