@@ -71,11 +71,10 @@ SearchSettings search_settings(const Detection& detection,
     return settings;
 }
 
-/// Whether the output of the scene, or of any of its stages, asks for something.
-bool writes(const Scene& scene, bool Output::*wanted) {
-    return scene.output.*wanted ||
-           std::any_of(scene.stages.begin(), scene.stages.end(), [&](const Stage& stage) {
-               return stage.output && (*stage.output).*wanted;
+bool writes_orientations(const Scene& scene) {
+    return scene.output.orientation ||
+           std::any_of(scene.stages.begin(), scene.stages.end(), [](const Stage& stage) {
+               return stage.output && stage.output->orientation;
            });
 }
 
@@ -130,7 +129,7 @@ Engine::Engine(const Scene& scene, std::uint64_t seed, const SimulationOptions& 
     if (particles_.slab_count() > 1) {
         workers_ = Workers(options.threads);
     }
-    if (writes(scene, &Output::orientation)) {
+    if (writes_orientations(scene)) {
         orientations_.emplace(particles_.size());
     }
     if (scene.observables.energy) {
@@ -557,22 +556,7 @@ void Engine::update_stable_step() {
     if (table_.stiffens()) {
         table_.expect_impacts(impact_speed());
     }
-    sums_.clear(particles_,
-                table_.rotation_rules(),
-                table_.rolling_ratio(),
-                table_.twisting_ratio(),
-                workers_);
-    const StepSums sums = sums_.sums();
-    const bool touching_only = detection_.create_on_overlap;
-    pairs_.add_steps(particles_, table_, touching_only, sums, *kernels_, workers_);
-    if (particles_.has_images()) {
-        sums_.fold_images(particles_);
-    }
-    for (std::size_t w = 0; w < walls_.size(); ++w) {
-        wall_contacts_[w].add_steps(
-            particles_, walls_[w], table_, touching_only, sums, *kernels_, workers_);
-    }
-    stable_ = sums_.limit(particles_, *kernels_, workers_);
+    stable_ = sum_steps(table_, detection_.create_on_overlap);
     if (const auto* scaled = std::get_if<ScaledTimestep>(&scheme_)) {
         scale_inertia(scaled->value, scaled->safety_factor);
     }
@@ -581,19 +565,24 @@ void Engine::update_stable_step() {
 double Engine::compute_touching_limit() {
     ContactTable as_deep_as_now = table_;
     as_deep_as_now.expect_impacts(0.0);
+    return sum_steps(as_deep_as_now, true);
+}
+
+/// Stable step of what the contacts that count add up to [s]; leaves the sums.
+double Engine::sum_steps(const ContactTable& table, bool touching_only) {
     sums_.clear(particles_,
-                table_.rotation_rules(),
-                table_.rolling_ratio(),
-                table_.twisting_ratio(),
+                table.rotation_rules(),
+                table.rolling_ratio(),
+                table.twisting_ratio(),
                 workers_);
     const StepSums sums = sums_.sums();
-    pairs_.add_steps(particles_, as_deep_as_now, true, sums, *kernels_, workers_);
+    pairs_.add_steps(particles_, table, touching_only, sums, *kernels_, workers_);
     if (particles_.has_images()) {
         sums_.fold_images(particles_);
     }
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         wall_contacts_[w].add_steps(
-            particles_, walls_[w], as_deep_as_now, true, sums, *kernels_, workers_);
+            particles_, walls_[w], table, touching_only, sums, *kernels_, workers_);
     }
     return sums_.limit(particles_, *kernels_, workers_);
 }

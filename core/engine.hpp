@@ -167,6 +167,7 @@ private:
     void find_contacts();
     void add_forces(double timestep);
     void update_stable_step();
+    double sum_steps(const ContactTable& table, bool touching_only);
     void scale_inertia(double step, double safety_factor);
 
     bool needs_stable_step() const { return !std::holds_alternative<FixedTimestep>(scheme_); }
