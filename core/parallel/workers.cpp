@@ -5,6 +5,8 @@
 #include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
+
 #ifdef __SANITIZE_THREAD__
 #include <sanitizer/tsan_interface.h>
 #endif
@@ -48,10 +50,15 @@ private:
 
 struct Workers::Pool {
     explicit Pool(unsigned threads)
-        : most(tbb::global_control::max_allowed_parallelism, threads),
+        : most(tbb::global_control::max_allowed_parallelism,
+               std::max<std::size_t>(threads,
+                                     tbb::global_control::active_value(
+                                         tbb::global_control::max_allowed_parallelism))),
           arena(static_cast<int>(threads)) {}
 
-    tbb::global_control most;  ///< else oneTBB complains of more threads than there are cores
+    /// Else oneTBB complains of more threads than there are cores. Never less than what is allowed
+    /// already, which is for the whole process.
+    tbb::global_control most;
     tbb::task_arena arena;
 };
 

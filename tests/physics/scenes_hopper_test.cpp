@@ -71,7 +71,7 @@ TEST(Hopper, RateGrowsWithThePowerFiveHalvesOfTheOpening) {
     std::printf("exponent %.3f with k = 1.4\n", exponent);
     // A rate over this time wanders by up to 4 % from one half of it to the other, which at the
     // ends of a range of 2.2 in (D - k d) makes 0.05 in the exponent; k differs with friction,
-    // from 1.5 to 2.1 (share/doc/scenes.md), and every tenth of it makes 0.015.
+    // from 1.5 to 2.1 (share/doc/scenes.md), and every tenth of it makes 0.03.
     EXPECT_NEAR(exponent, 2.5, 0.15);
     const auto line = test::line_through(width, root);
     const double k = -line.intercept / line.slope;
