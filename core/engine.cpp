@@ -31,17 +31,20 @@ std::vector<double> radii_of_sources(const Scene& scene) {
     return radii;
 }
 
-/// Travel that candidate lists allow: a quarter of the smallest radius, from a scan of the shaken
-/// bed of the example (share/doc/performance.md): longer lists cost more per renewal, shorter ones
-/// age.
-constexpr double slack_per_radius = 0.25;
+/// Travel that candidate lists allow, over the smallest radius: from a scan of the shaken bed of
+/// the example (share/doc/performance.md): longer lists cost more per renewal, shorter ones age.
+constexpr double slack_per_radius = 0.5;
+
+/// The same where directions are periodic: the farther lists reach, the wider a box must be, and
+/// the more images there are.
+constexpr double slack_per_radius_of_images = 0.25;
 
 /// [s] Step where nothing limits it, because there is no particle: walls move on, and frames come
 /// at their times.
 constexpr double unlimited_timestep = 1e-3;
 
 /// The same for walls, whose lists are short and dear to build.
-constexpr double wall_slack_per_radius = 1.0;
+constexpr double wall_slack_per_radius = 1.5;
 
 /// Way of one cycle, over the largest radius, after which no grid could hold the particles [1].
 constexpr double hopeless_travel = 1e6;
@@ -58,11 +61,9 @@ constexpr double scattered_by = 1.5;
 /// more from its first touch to half its depth, which the expected impact covers meanwhile.
 constexpr std::uint64_t cycles_of_stiffening = 16;
 
-SearchSettings search_settings(const Detection& detection,
-                               double smallest_radius,
-                               bool brute_force) {
+SearchSettings search_settings(const Detection& detection, double slack, bool brute_force) {
     SearchSettings settings{.tolerance = detection.tolerance,
-                            .slack = slack_per_radius * smallest_radius,
+                            .slack = slack,
                             .interval = 0,
                             .brute_force = brute_force};
     if (const auto* remap = std::get_if<RemapInterval>(&detection.trigger)) {
@@ -111,8 +112,9 @@ Engine::Engine(const Scene& scene, std::uint64_t seed, const SimulationOptions& 
     if (Traffic::is_in(scene)) {
         traffic_.emplace(scene, seed);
     }
+    const double slack = scene.periodic ? slack_per_radius_of_images : slack_per_radius;
     SearchSettings settings =
-        search_settings(detection_, particles_.smallest_radius(), options.reference);
+        search_settings(detection_, slack * particles_.smallest_radius(), options.reference);
     pairs_ = PairContacts(settings, table_.history_size());
     if (scene.periodic) {
         make_periodic(*scene.periodic, options.reference);
@@ -220,6 +222,8 @@ void Engine::begin_stage(const Stage& stage) {
         if (ledger_) {
             ledger_->start(ledger_view(), 0.0);
         }
+    } else if (looks_ahead()) {
+        pairs_.look_ahead(particles_, table_.reach(), *kernels_, workers_);
     }
     update_stable_step();
 }
@@ -505,15 +509,17 @@ void Engine::find_contacts() {
             renewal, wall_contacts_[w].update(cycle_, particles_, walls_[w], *kernels_, workers_));
     }
     enter(Phase::detection);
-    bool changed = pairs_.find_touching(particles_, table_.reach(), *kernels_, workers_);
+    const bool is_stale = table_.stiffens() && cycle_ % cycles_of_stiffening == 0;
+    const bool is_due = is_stale || renewal != Renewal::none;
+    bool changed = pairs_.find_touching(
+        particles_, table_.reach(), is_due && looks_ahead(), *kernels_, workers_);
     enter(Phase::walls);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         changed = wall_contacts_[w].find_touching(
                       particles_, walls_[w], table_.reach(), *kernels_, workers_) ||
                   changed;
     }
-    const bool is_stale = table_.stiffens() && cycle_ % cycles_of_stiffening == 0;
-    if (is_stale || (detection_.create_on_overlap ? changed : renewal != Renewal::none)) {
+    if (detection_.create_on_overlap ? changed || is_stale : is_due) {
         update_stable_step();
     }
 }
@@ -526,7 +532,7 @@ bool Engine::has_left_its_period() const {
     }
     const Vec3 way = bed_shift_ - image_shift_;
     const double along[3] = {way.x, way.y, way.z};
-    const double most = slack_per_radius * particles_.smallest_radius();
+    const double most = slack_per_radius_of_images * particles_.smallest_radius();
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double period = particles_.box().period(axis);
         const bool has_all_images = image_margin_ >= period;  // the reference engine's, made once

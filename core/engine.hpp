@@ -172,6 +172,9 @@ private:
 
     bool needs_stable_step() const { return !std::holds_alternative<FixedTimestep>(scheme_); }
 
+    /// Whether contacts count for the stable step before they touch.
+    bool looks_ahead() const { return needs_stable_step() && !detection_.create_on_overlap; }
+
     const Kernels* kernels_;
     Materials materials_;
     Contact contact_;

@@ -11,16 +11,6 @@ std::uint64_t key(Index i, Index j) {
     return (static_cast<std::uint64_t>(i) << 32) | j;
 }
 
-/// Calls act(place) for each bit that is set.
-template <class Act>
-void for_each_bit(std::span<const std::uint64_t> words, const Act& act) {
-    for (std::size_t w = 0; w < words.size(); ++w) {
-        for (std::uint64_t bits = words[w]; bits != 0; bits &= bits - 1) {
-            act(static_cast<Index>(64 * w) + static_cast<Index>(__builtin_ctzll(bits)));
-        }
-    }
-}
-
 }  // namespace
 
 void ContactObjects::renew(const PairList& from,
@@ -119,7 +109,7 @@ Renumbered ContactObjects::renumber(const PopulationChange& change,
         for (const std::size_t column : turned_columns) {
             row(k)[column] *= entry.turned ? -1.0 : 1.0;
         }
-        if ((acting_before_[entry.before / 64] >> (entry.before % 64) & 1) != 0) {
+        if (has_bit(acting_before_, entry.before)) {
             set_acting(k);
         }
         const Index t = touching_at[entry.before];
@@ -178,14 +168,12 @@ bool ContactObjects::set_touching(std::span<const std::uint64_t> now, const Work
         for (std::size_t w = first_word; w < last_word; ++w) {
             const std::uint64_t before = acting_[w];
             acting_[w] = now[w];
-            const auto first = static_cast<Index>(64 * w);
-            for (std::uint64_t bits = before & ~now[w]; bits != 0; bits &= bits - 1) {
-                std::fill_n(row(first + static_cast<Index>(__builtin_ctzll(bits))), stride(), 0.0);
-            }
-            for (std::uint64_t bits = now[w]; bits != 0; bits &= bits - 1) {
-                const auto bit = static_cast<Index>(__builtin_ctzll(bits));
-                touching_[next++] = TouchingContact(first + bit, (before >> bit & 1) == 0);
-            }
+            for_each_bit(before & ~now[w], 64 * w, [&](Index place) {
+                std::fill_n(row(place), stride(), 0.0);
+            });
+            for_each_bit(now[w], 64 * w, [&](Index place) {
+                touching_[next++] = TouchingContact(place, (before >> (place % 64) & 1) == 0);
+            });
         }
     });
     return std::find(part_changed_.begin(), part_changed_.end(), 1) != part_changed_.end();

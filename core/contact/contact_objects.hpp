@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/archive.hpp"
+#include "core/contact/bits.hpp"
 #include "core/parallel/workers.hpp"
 #include "core/search/candidates.hpp"
 #include "core/state/population.hpp"
@@ -72,7 +73,7 @@ public:
         return {touching_.data(), touching_count_};
     }
 
-    bool acts(Index place) const { return (acting_[place / 64] >> (place % 64) & 1) != 0; }
+    bool acts(Index place) const { return has_bit(acting_, place); }
 
     /// Makes an object act before it is found to touch: its first step counts as a whole one.
     void set_acting(Index place) { acting_[place / 64] |= std::uint64_t{1} << (place % 64); }

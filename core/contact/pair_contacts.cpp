@@ -143,8 +143,7 @@ void PairContacts::renew_objects(const ParticleState& particles, const Kernels& 
     objects_.renew(candidates_, {found_.data(), count}, RowOwners(particles));
     within_.resize(objects_.list().words());
     cut_into_slabs(particles);
-    adopt_late_contacts(particles, kernels);
-    objects_.forget_before();
+    just_renewed_ = true;
     ++renewals_;
 }
 
@@ -167,34 +166,61 @@ void PairContacts::cut_into_slabs(const ParticleState& particles) {
 }
 
 /// Born overlapping: the whole of the first step counts (physics reference 1.3).
-void PairContacts::adopt_late_contacts(const ParticleState& particles, const Kernels& kernels) {
+void PairContacts::adopt_late_contacts(const ParticleState& particles) {
     const PairList& list = objects_.list();
-    kernels.test_pairs(query(particles, list, 1.0, 0.0), within_.data());
     for (std::size_t w = 0; w < within_.size(); ++w) {
-        for (std::uint64_t bits = within_[w] & ~objects_.acting()[w]; bits != 0; bits &= bits - 1) {
-            const Index k = static_cast<Index>(64 * w) + static_cast<Index>(__builtin_ctzll(bits));
+        for_each_bit(within_[w] & ~objects_.acting()[w], 64 * w, [&](Index k) {
             if (!objects_.was_listed(list.i[k], particles.owner(list.j[k]))) {
                 objects_.set_acting(k);
-                late_ += clock_.is_started() ? 1 : 0;
+                late_ += renewals_ > 1 ? 1 : 0;
             }
-        }
+        });
     }
+    objects_.forget_before();
+    just_renewed_ = false;
+}
+
+void PairContacts::test(const ParticleState& particles,
+                        double reach,
+                        bool looks_ahead,
+                        const Kernels& kernels,
+                        const Workers& workers) {
+    constexpr Index part_size = 8192;  // pairs, a multiple of 64
+    const PairQuery all = query(particles, objects_.list(), 1.0, reach);
+    double ahead = 0.0;
+    if (looks_ahead) {
+        clock_.look_ahead(particles.smallest_radius());
+        ahead = clock_.settings().brute_force ? 1e300 : 2.0 * clock_.horizon();
+        near_.resize(within_.size());
+    }
+    workers.for_each((all.count + part_size - 1) / part_size, [&](std::size_t part) {
+        const auto first = static_cast<Index>(part * part_size);
+        PairQuery of_part = all;
+        of_part.i += first;
+        of_part.j += first;
+        of_part.count = std::min(part_size, all.count - first);
+        std::uint64_t* const within = within_.data() + first / 64;
+        if (looks_ahead) {
+            kernels.test_pairs_ahead(of_part, ahead, within, near_.data() + first / 64);
+        } else {
+            kernels.test_pairs(of_part, within);
+        }
+    });
 }
 
 bool PairContacts::find_touching(const ParticleState& particles,
                                  double reach,
+                                 bool looks_ahead,
                                  const Kernels& kernels,
                                  const Workers& workers) {
-    constexpr Index part_size = 8192;  // pairs, a multiple of 64
-    const Index count = objects_.list().count;
-    workers.for_each((count + part_size - 1) / part_size, [&](std::size_t part) {
-        const auto first = static_cast<Index>(part * part_size);
-        PairQuery part_query = query(particles, objects_.list(), 1.0, reach);
-        part_query.i += first;
-        part_query.j += first;
-        part_query.count = std::min(part_size, count - first);
-        kernels.test_pairs(part_query, within_.data() + first / 64);
-    });
+    if (just_renewed_ && reach > 0.0) {
+        test(particles, 0.0, false, kernels, workers);
+        adopt_late_contacts(particles);
+    }
+    test(particles, reach, looks_ahead, kernels, workers);
+    if (just_renewed_) {
+        adopt_late_contacts(particles);
+    }
     return objects_.set_touching(within_, workers);
 }
 
@@ -253,48 +279,25 @@ void PairContacts::add_steps(ParticleState& particles,
                              const StepSums& sums,
                              const Kernels& kernels,
                              const Workers& workers) {
-    double extra = 0.0;
-    if (!touching_only) {
-        clock_.look_ahead(particles.smallest_radius());
-        extra = clock_.settings().brute_force ? 1e300 : 2.0 * clock_.horizon();
-    }
-    constexpr Index block = 8;
-    constexpr std::size_t spare = 2 * block;  // behind what find_pairs writes, and before
-    const PairQuery whole = query(particles, objects_.list(), 1.0, extra);
-    found_.resize(
-        std::max<std::size_t>(found_.size(), whole.count + spare * (slab_start_.size() - 1)));
+    found_.resize(std::max<std::size_t>(found_.size(), objects_.list().count));
     const PairStepPass all{.particles = particles.view(),
                            .laws = table.view(0.0),
-                           .i = whole.i,
-                           .j = whole.j,
+                           .i = objects_.list().i.data(),
+                           .j = objects_.list().j.data(),
                            .place = nullptr,
                            .count = 0,
                            .sums = sums};
     for_each_slab(workers, [&](std::size_t slab) {
-        // Whole blocks from one that a pass may begin with: lists are readable to the end of those.
         const Index first = slab_start_[slab];
-        const Index start = first / block * block;
-        Index* const found = found_.data() + start + spare * slab;
+        const Index last = slab_start_[slab + 1];
+        Index* const found = found_.data() + first;
+        Index* end = found;
+        for_each_bit(touching_only ? objects_.acting() : near_, first, last, [&](Index place) {
+            *end++ = place;
+        });
         PairStepPass pass = all;
-        pass.i += start;
-        pass.j += start;
         pass.place = found;
-        if (touching_only) {
-            const std::size_t from = first_touching(slab);
-            pass.count = static_cast<Index>(first_touching(slab + 1) - from);
-            std::transform(touching().begin() + from,
-                           touching().begin() + from + pass.count,
-                           found,
-                           [&](TouchingContact contact) { return contact.place() - start; });
-        } else {
-            PairQuery part = whole;
-            part.i += start;
-            part.j += start;
-            part.count = slab_start_[slab + 1] - start;
-            const Index* const end = found + kernels.find_pairs(part, found);
-            pass.place = std::lower_bound<const Index*>(found, end, first - start);
-            pass.count = static_cast<Index>(end - pass.place);
-        }
+        pass.count = static_cast<Index>(end - found);
         kernels.add_pair_steps(pass);
     });
 }

@@ -58,8 +58,10 @@ public:
 
     /// Finds the touching contacts; those that opened lose their history. True if the set changed.
     /// \param reach gap up to which contacts count as touching [m]
+    /// \param looks_ahead whether look_ahead() is wanted as well
     bool find_touching(const ParticleState& particles,
                        double reach,
+                       bool looks_ahead,
                        const Kernels& kernels,
                        const Workers& workers = {});
 
@@ -71,8 +73,16 @@ public:
                     const Kernels& kernels,
                     const Workers& workers = {});
 
-    /// Adds to the sums for the stable step the contacts that touch or may touch soon, or only
-    /// those that touch.
+    /// Marks the objects that touch or may touch within about two steps.
+    void look_ahead(const ParticleState& particles,
+                    double reach,
+                    const Kernels& kernels,
+                    const Workers& workers = {}) {
+        test(particles, reach, true, kernels, workers);
+    }
+
+    /// Adds to the sums for the stable step the contacts of the last look-ahead, or only those that
+    /// touch.
     void add_steps(ParticleState& particles,
                    const ContactTable& table,
                    bool touching_only,
@@ -110,11 +120,18 @@ private:
     void renew_objects(const ParticleState& particles, const Kernels& kernels);
     void leave_one_of_images(const ParticleState& particles);
     void cut_into_slabs(const ParticleState& particles);
-    void adopt_late_contacts(const ParticleState& particles, const Kernels& kernels);
+    void adopt_late_contacts(const ParticleState& particles);
     PairQuery query(const ParticleState& particles,
                     const PairList& list,
                     double scale,
                     double extra) const;
+
+    /// Sets within_, and near_ if it looks ahead.
+    void test(const ParticleState& particles,
+              double reach,
+              bool looks_ahead,
+              const Kernels& kernels,
+              const Workers& workers);
 
     template <class Act>
     void for_each_slab(const Workers& workers, const Act& act) const;
@@ -127,7 +144,9 @@ private:
     PairList candidates_;
     ContactObjects objects_;
     Column<Index> found_;
-    std::vector<std::uint64_t> within_;
+    std::vector<std::uint64_t> within_;  ///< bit by object
+    std::vector<std::uint64_t> near_;    ///< bit by object, of the last look-ahead
+    bool just_renewed_ = false;
     std::vector<Index> slab_start_;  ///< by slab: first place; one more at the end
     Column<double> records_;
     std::uint64_t late_ = 0, renewals_ = 0, builds_ = 0;

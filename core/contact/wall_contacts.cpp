@@ -18,19 +18,12 @@ void append_bits(std::span<const std::uint64_t> words,
                  std::size_t last,
                  std::vector<Index>& places) {
     for (std::size_t w = first; w < last; ++w) {
-        for (std::uint64_t bits = words[w]; bits != 0; bits &= bits - 1) {
-            places.push_back(static_cast<Index>(64 * w) +
-                             static_cast<Index>(__builtin_ctzll(bits)));
-        }
+        for_each_bit(words[w], 64 * w, [&](Index place) { places.push_back(place); });
     }
 }
 
 std::size_t words_up_to(Index place) {
     return (std::size_t{place} + 63) / 64;
-}
-
-bool has_bit(std::span<const std::uint64_t> words, Index place) {
-    return (words[place / 64] >> (place % 64) & 1) != 0;
 }
 
 /// Calls visit(places) for each run of places whose entries are of one particle.
@@ -339,10 +332,9 @@ void WallContacts::hand_over(const Surface& surface, Part& part) {
     const PairList& list = objects_.list();
     part.opened.clear();
     for (std::size_t w = part.first / 64; w < words_up_to(part.last); ++w) {
-        for (std::uint64_t bits = objects_.acting()[w] & ~now_[w]; bits != 0; bits &= bits - 1) {
-            part.opened.push_back(static_cast<Index>(64 * w) +
-                                  static_cast<Index>(__builtin_ctzll(bits)));
-        }
+        for_each_bit(objects_.acting()[w] & ~now_[w], 64 * w, [&](Index place) {
+            part.opened.push_back(place);
+        });
     }
     for_each_particle(list, part.opened, [&](std::span<const Index> opened) {
         const Index particle = list.i[opened.front()];

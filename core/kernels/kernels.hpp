@@ -245,6 +245,12 @@ struct Kernels {
 
     /// One bit per pair: within reach. Bits past the end are zero.
     void (*test_pairs)(const PairQuery&, std::uint64_t* within);
+
+    /// The same, and in `near` the pairs that are within reach or less than `ahead` [m] beyond it.
+    void (*test_pairs_ahead)(const PairQuery&,
+                             double ahead,
+                             std::uint64_t* within,
+                             std::uint64_t* near);
     void (*test_patches)(const PatchQuery&, const PatchAnswers&);
 
     void (*pair_pass)(const PairPass&);

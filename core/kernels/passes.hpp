@@ -64,6 +64,7 @@ constexpr Kernels make_kernels(std::string_view isa) {
             .search_cells = &search_cells,
             .find_pairs = &find_pairs,
             .test_pairs = &test_pairs,
+            .test_pairs_ahead = &test_pairs_ahead,
             .test_patches = &test_patches,
             .pair_pass = &choose_pair_pass,
             .wall_pass = &choose_wall_pass,

@@ -117,6 +117,27 @@ inline void test_pairs(const PairQuery& query, std::uint64_t* within) {
     }
 }
 
+inline void test_pairs_ahead(const PairQuery& query,
+                             double ahead,
+                             std::uint64_t* within,
+                             std::uint64_t* near) {
+    const Pack scale(query.scale);
+    const Pack extra(query.extra);
+    const Pack extra_ahead(query.extra + ahead);
+    for (Index first = 0; first < query.count; first += 64) {
+        std::uint64_t now = 0;
+        std::uint64_t soon = 0;
+        for (Index k = 0; k < 64; k += width) {
+            const PairSpan span(query.position, query.i + first + k, query.j + first + k);
+            now |= std::uint64_t{bits_of(span.within(scale, extra))} << k;
+            soon |= std::uint64_t{bits_of(span.within(scale, extra_ahead))} << k;
+        }
+        const std::uint64_t valid = valid_bits(first, query.count);
+        within[first / 64] = now & valid;
+        near[first / 64] = soon & valid;
+    }
+}
+
 /// Whether a sphere may reach sides of cylinders; true of patches that are none.
 inline Mask may_reach_shell(const double* shells,
                             const Index* patch,

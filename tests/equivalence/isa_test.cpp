@@ -1,6 +1,7 @@
 /// Every instruction set of this processor gives the bits of the one-lane passes, for every number
 /// of contacts that can fill a block in part or whole; and the general pass gives those of the
 /// passes that have their laws compiled in.
+#include "core/contact/bits.hpp"
 #include "core/kernels/kernels.hpp"
 #include "core/walls/surface.hpp"
 
@@ -172,19 +173,28 @@ std::vector<Index> pairs_found(const Kernels& kernels, Index count, std::uint64_
     return found;
 }
 
-/// The same as places, from one bit per pair.
+std::vector<Index> places_of(const std::vector<std::uint64_t>& words) {
+    std::vector<Index> places;
+    for_each_bit(words, [&](Index place) { places.push_back(place); });
+    return places;
+}
+
+/// The same from one bit per pair, alone and beside a look-ahead.
 std::vector<Index> pairs_tested(const Kernels& kernels, Index count, std::uint64_t seed) {
     const RandomParticles p(particle_count, seed);
     const RandomPairs pairs(particle_count, 0, seed);
+    const PairQuery query = random_query(p, pairs, count);
     std::vector<std::uint64_t> within((count + 63) / 64);
-    kernels.test_pairs(random_query(p, pairs, count), within.data());
-    std::vector<Index> found;
-    for (Index k = 0; k < 64 * within.size(); ++k) {
-        if ((within[k / 64] >> (k % 64) & 1) != 0) {
-            found.push_back(k);
-        }
-    }
-    return found;
+    std::vector<std::uint64_t> beside(within.size());
+    std::vector<std::uint64_t> near(within.size());
+    kernels.test_pairs(query, within.data());
+    kernels.test_pairs_ahead(query, 0.002, beside.data(), near.data());
+    EXPECT_EQ(within, beside);
+    PairQuery farther = query;
+    farther.extra += 0.002;
+    kernels.test_pairs(farther, beside.data());
+    EXPECT_EQ(near, beside);
+    return places_of(within);
 }
 
 TEST(InstructionSets, FindTheSamePairs) {

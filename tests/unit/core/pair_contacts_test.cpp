@@ -68,7 +68,7 @@ private:
         const Kernels& kernels = kernels_for("");
         const Renewal due = contacts_.due(cycle, particles_, frame_, kernels);
         contacts_.renew(due, cycle, particles_, frame_, kernels);
-        contacts_.find_touching(particles_, 0.0, kernels);
+        contacts_.find_touching(particles_, 0.0, false, kernels);
         contacts_.add_forces(particles_, table_, timestep, true, kernels);
         const Pairs touching = touching_pairs();
         const Pairs expected = brute_force_pairs(particles_, 1.0, 0.0);
