@@ -140,19 +140,16 @@ Engine::Engine(const Scene& scene, std::uint64_t seed, const SimulationOptions& 
     measure_bed();
 }
 
-/// Mean motion of the bed, and the largest speeds relative to it, as they are now.
+/// Mean motion of the bed, and the largest speed relative to it, as they are now.
 void Engine::measure_bed() {
     bed_velocity_ = {};
-    fastest_ = {};
+    fastest_ = 0.0;
     for (Index slot = 0; slot < particles_.size(); ++slot) {
         bed_velocity_ += particles_.velocity(slot);
     }
     bed_velocity_ = (1.0 / std::max<double>(particles_.size(), 1.0)) * bed_velocity_;
     for (Index slot = 0; slot < particles_.size(); ++slot) {
-        const Vec3 v = particles_.velocity(slot) - bed_velocity_;
-        fastest_ = {std::max(fastest_.x, std::abs(v.x)),
-                    std::max(fastest_.y, std::abs(v.y)),
-                    std::max(fastest_.z, std::abs(v.z))};
+        fastest_ = std::max(fastest_, norm(particles_.velocity(slot) - bed_velocity_));
     }
 }
 
@@ -287,7 +284,7 @@ void Engine::change_scheme(const Timestep& next) {
 
 /// Twice the fastest particle, or a wall against it, and what falling its diameter adds.
 double Engine::impact_speed() const {
-    double speed = 2.0 * norm(fastest_);
+    double speed = 2.0 * fastest_;
     for (const WallBody& wall : walls_) {
         speed = std::max(speed, wall.relative_speed_bound(fastest_, bed_velocity_));
     }
@@ -406,9 +403,7 @@ double Engine::choose_timestep() const {
     timestep = std::min(timestep, automatic.maximum.value_or(timestep));
     // The kinematic limit can only bind where a particle nearly crosses its tolerance in a step.
     const double epsilon = detection_.tolerance * particles_.smallest_radius();
-    const double fastest = std::max({fastest_.x + std::abs(bed_velocity_.x),
-                                     fastest_.y + std::abs(bed_velocity_.y),
-                                     fastest_.z + std::abs(bed_velocity_.z)});
+    const double fastest = fastest_ + norm(bed_velocity_);
     if (timestep_ == 0.0 || 2.0 * fastest * timestep > epsilon ||
         timestep > automatic.safety_factor * single_contact) {
         timestep = std::min(timestep, kinematic_limit(particles_, body_, detection_.tolerance));
@@ -427,7 +422,7 @@ MotionPass Engine::move_particles(double timestep) {
                          .few_are_loaded = few_are_loaded(),
                          .first = 0,
                          .last = particles_.size(),
-                         .fastest = {},
+                         .fastest_square = 0.0,
                          .velocity_sum = {}};
     const std::size_t size = particles_.slab_size();
     const auto kernel = body_.local_damping > 0.0                  ? kernels_->move_damped
@@ -443,8 +438,8 @@ MotionPass Engine::move_particles(double timestep) {
     });
     MotionPass sum = all;
     for (const MotionPass& part : move_parts_) {
+        sum.fastest_square = std::max(sum.fastest_square, part.fastest_square);
         for (int axis = 0; axis < 3; ++axis) {
-            sum.fastest[axis] = std::max(sum.fastest[axis], part.fastest[axis]);
             sum.velocity_sum[axis] += part.velocity_sum[axis];
         }
     }
@@ -453,11 +448,11 @@ MotionPass Engine::move_particles(double timestep) {
 
 void Engine::move(double timestep) {
     const MotionPass pass = move_particles(timestep);
-    fastest_ = {pass.fastest[0], pass.fastest[1], pass.fastest[2]};
+    fastest_ = std::sqrt(pass.fastest_square);
     if (driven_.is_active()) {
         fastest_ = driven_.end_move(bed_velocity_, fastest_, particles_);
     }
-    travel_ = norm(fastest_) * timestep;
+    travel_ = fastest_ * timestep;
     pairs_.add_travel(travel_);
     bed_shift_ += timestep * bed_velocity_;
     for (std::size_t w = 0; w < walls_.size(); ++w) {
@@ -470,8 +465,8 @@ void Engine::move(double timestep) {
     timestep_ = timestep;
     ++cycle_;
     const Vec3 sum{pass.velocity_sum[0], pass.velocity_sum[1], pass.velocity_sum[2]};
-    const double fastest = norm(fastest_) * timestep;
-    if (!is_finite(sum) || !(fastest <= hopeless_travel * particles_.largest_radius())) {
+    if (!is_finite(sum) ||
+        !(fastest_ * timestep <= hopeless_travel * particles_.largest_radius())) {
         throw_runaway(*this);
     }
     bed_velocity_ = (1.0 / std::max<double>(particles_.size(), 1.0)) * sum;
@@ -699,9 +694,9 @@ void Engine::save(Archive& archive) const {
                                     bed_shift_.x,
                                     bed_shift_.y,
                                     bed_shift_.z,
-                                    fastest_.x,
-                                    fastest_.y,
-                                    fastest_.z,
+                                    fastest_,
+                                    0.0,  // older checkpoints have it by axis
+                                    0.0,
                                     image_shift_.x,
                                     image_shift_.y,
                                     image_shift_.z,
@@ -737,7 +732,7 @@ void Engine::load(const Archive& archive) {
     stable_ = numbers[2];
     bed_velocity_ = {numbers[3], numbers[4], numbers[5]};
     bed_shift_ = {numbers[6], numbers[7], numbers[8]};
-    fastest_ = {numbers[9], numbers[10], numbers[11]};
+    fastest_ = norm({numbers[9], numbers[10], numbers[11]});
     image_shift_ = {numbers[12], numbers[13], numbers[14]};
     distance_when_sorted_ = numbers[15];
     particles_.load(archive, changes_population_);

@@ -217,7 +217,7 @@ private:
     Vec3 bed_velocity_{};          ///< mean velocity in the last cycle: the bed's frame
     Vec3 bed_shift_{};             ///< displacement of that frame
     Vec3 image_shift_{};           ///< the same when images were last made
-    Vec3 fastest_{};               ///< largest speed per axis relative to it
+    double fastest_ = 0.0;         ///< largest speed relative to it
     double travel_ = 0.0;
 };
 

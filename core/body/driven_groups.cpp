@@ -18,11 +18,6 @@ Vec3 plain(const Eigen::Vector3d& v) {
     return {v.x(), v.y(), v.z()};
 }
 
-Vec3 larger(const Vec3& a, const Vec3& v) {
-    return {
-        std::max(a.x, std::abs(v.x)), std::max(a.y, std::abs(v.y)), std::max(a.z, std::abs(v.z))};
-}
-
 }  // namespace
 
 DrivenGroups::DrivenGroups(const Scene& scene, const ParticleState& particles) {
@@ -144,19 +139,16 @@ void DrivenGroups::begin_step(double t, double timestep, ParticleState& particle
     }
 }
 
-Vec3 DrivenGroups::end_move(const Vec3& frame,
-                            const Vec3& fastest,
-                            ParticleState& particles) const {
-    Vec3 bound = fastest;
+double DrivenGroups::end_move(const Vec3& frame, double fastest, ParticleState& particles) const {
     for (const Member& driven : members_) {
         for (std::size_t k = 0; k < driven.slots.size() && driven.is_driven; ++k) {
             const Index slot = driven.slots[k];
             particles.set_position(slot, driven.place[k]);
             particles.set_velocity(slot, driven.speed[k]);
-            bound = larger(bound, driven.speed[k] - frame);
+            fastest = std::max(fastest, norm(driven.speed[k] - frame));
         }
     }
-    return bound;
+    return fastest;
 }
 
 GroupLoad DrivenGroups::load(std::size_t n,

@@ -59,8 +59,8 @@ public:
     void begin_step(double t, double timestep, ParticleState& particles);
 
     /// Puts particles where the motion leads, after the integrator moved them somewhere else.
-    /// \return largest speed per axis relative to `frame`, at least `fastest` [m/s]
-    Vec3 end_move(const Vec3& frame, const Vec3& fastest, ParticleState& particles) const;
+    /// \return largest speed relative to `frame`, at least `fastest` [m/s]
+    double end_move(const Vec3& frame, double fastest, ParticleState& particles) const;
 
     /// Forces of all contacts on group n of names() [N], torque about the centre of its motion.
     /// \param gravity that is among the forces [m/s^2]

@@ -265,7 +265,8 @@ void GuardWatch::check_travel(const Engine& engine) {
         }
     }
     for (const WallBody& wall : engine.walls()) {
-        const double way = wall.relative_speed_bound({}, engine.bed_velocity()) * engine.timestep();
+        const double way =
+            wall.relative_speed_bound(0.0, engine.bed_velocity()) * engine.timestep();
         if (std::isfinite(way) && way > limit) {
             tell("wall '" + wall.name() + "'", way, std::nullopt);
             return;

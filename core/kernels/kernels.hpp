@@ -33,7 +33,7 @@ struct MotionPass {
     bool few_are_loaded;     ///< worth looking at `loaded` before touching forces
     std::size_t first;       ///< row of this part, a multiple of 8
     std::size_t last;        ///< row after it, a multiple of 8 or the count of particles
-    double fastest[4];       ///< out: largest |v - frame| per axis
+    double fastest_square;   ///< out: largest |v - frame|^2
     double velocity_sum[4];  ///< out: sum of v per axis; not finite if any v is not
 };
 
@@ -77,8 +77,9 @@ struct CellGrid {
 /// larger particle, or by the first of equals.
 struct CellSearch {
     CellGrid grid;
-    const double* packet;     ///< positions in the order of cells
-    const Index* slot;        ///< by place in that order
+    const double* centre[3];  ///< [m] by place in the order of cells, readable for 8 more
+    const double* radius;     ///< [m] the same
+    const Index* slot;        ///< the same
     const Index* cell_start;  ///< by cell: first place; one more at the end
     Index count;              ///< of places
     double smallest_radius;

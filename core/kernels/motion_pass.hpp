@@ -60,25 +60,27 @@ template <class VelocityOf>
     const Packet way(drift_components);
     const Packet frame(components);
     Packet sum[2] = {zero, zero};
-    Packet fastest[2] = {zero, zero};
+    Packet largest = zero;
+    /// Returns the square of the velocity in the frame, by component.
     const auto advance = [&](std::size_t row, std::size_t k) __attribute__((always_inline)) {
         const std::size_t at = 4 * row;
         const Packet velocity = velocity_of(row);
         velocity.store(p.velocity + at);
         (Packet(p.position + at) + velocity * way).store(p.position + at);
         sum[k] = sum[k] + velocity;
-        fastest[k] = larger(absolute(velocity - frame), fastest[k]);
+        const Packet relative = with_fourth(velocity - frame, zero);
+        return relative * relative;
     };
     std::size_t row = pass.first;
     for (; row + 1 < pass.last; row += 2) {
-        advance(row, 0);
-        advance(row + 1, 1);
+        const Packet square = advance(row, 0);
+        largest = larger(sums(square, advance(row + 1, 1)), largest);
     }
     if (row < pass.last) {
-        advance(row, 0);
+        largest = larger(sums(advance(row, 0), zero), largest);
     }
-    larger(fastest[0], fastest[1]).store(components);
-    std::memcpy(pass.fastest, components, sizeof components);
+    largest.store(components);
+    pass.fastest_square = components[0] < components[1] ? components[1] : components[0];
     (sum[0] + sum[1]).store(components);
     std::memcpy(pass.velocity_sum, components, sizeof components);
 }

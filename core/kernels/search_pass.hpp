@@ -27,31 +27,25 @@ struct PairSpan {
 /// Adds the pairs of one particle with those at places [first, last) of one row of cells. False if
 /// room ran out.
 inline bool search_row(CellSearch& search, Index place, Index first, Index last) {
-    const double* p = search.packet + 4 * std::size_t{place};
-    const Vec3Of<Pack> centre{Pack(p[0]), Pack(p[1]), Pack(p[2])};
-    const Pack radius(p[3]);
+    const double* const* at = search.centre;
+    const Vec3Of<Pack> centre{Pack(at[0][place]), Pack(at[1][place]), Pack(at[2][place])};
+    const Pack radius(search.radius[place]);
     const Index self = search.slot[place];
     for (Index q = first; q < last; q += width) {
         if (search.found + 8 > search.capacity) {
             return false;
         }
-        const Packets other = load_packets(search.packet, [&](Index l) {
-            return q + l < search.count ? q + l : search.count - 1;
-        });
-        const Vec3Of<Pack> apart = other.xyz - centre;
-        const Pack reach = Pack(search.scale) * (radius + other.w) + Pack(search.extra);
+        const Vec3Of<Pack> other{load(at[0] + q), load(at[1] + q), load(at[2] + q)};
+        const Pack other_radius = load(search.radius + q);
+        const Vec3Of<Pack> apart = other - centre;
+        const Pack reach = Pack(search.scale) * (radius + other_radius) + Pack(search.extra);
         const Mask close = dot(apart, apart) <= reach * reach;
-        const unsigned is_smaller = bits_of(other.w < radius);
-        const unsigned is_larger = bits_of(radius < other.w);
+        const unsigned is_smaller = bits_of(other_radius < radius);
+        const unsigned is_larger = bits_of(radius < other_radius);
         const unsigned is_later = place < q ? ~0U : place - q < 31 ? ~0U << (place - q + 1) : 0U;
-        unsigned bits =
+        const unsigned bits =
             bits_of(close) & first_bits(last - q) & (is_smaller | (~is_larger & is_later));
-        for (; bits != 0; bits &= bits - 1) {
-            const Index partner = search.slot[q + static_cast<Index>(__builtin_ctz(bits))];
-            search.i[search.found] = self < partner ? self : partner;
-            search.j[search.found] = self < partner ? partner : self;
-            ++search.found;
-        }
+        search.found = append_pairs(bits, self, search.slot + q, search.i, search.j, search.found);
     }
     return true;
 }
@@ -61,15 +55,16 @@ inline void search_cells(CellSearch& search) {
     for (; search.next < search.count; ++search.next) {
         const Index place = search.next;
         const std::size_t found_before = search.found;
-        const double* p = search.packet + 4 * std::size_t{place};
+        const double radius = search.radius[place];
         // The partner is at most as large, so this reach covers every pair that is ours to find.
-        const double reach = 2.0 * search.scale * p[3] + search.extra;
-        const bool is_smallest = p[3] == search.smallest_radius;
+        const double reach = 2.0 * search.scale * radius + search.extra;
+        const bool is_smallest = radius == search.smallest_radius;
         std::int64_t from[3];
         std::int64_t to[3];
         for (int axis = 0; axis < 3; ++axis) {
-            from[axis] = grid.coordinate(p[axis] - reach, axis);
-            to[axis] = grid.coordinate(p[axis] + reach, axis);
+            const double centre = search.centre[axis][place];
+            from[axis] = grid.coordinate(centre - reach, axis);
+            to[axis] = grid.coordinate(centre + reach, axis);
         }
         for (std::int64_t z = from[2]; z <= to[2]; ++z) {
             for (std::int64_t y = from[1]; y <= to[1]; ++y) {

@@ -65,15 +65,20 @@ void CandidateFinder::sort_into_cells(const ParticleState& particles, double edg
     for (std::size_t c = 1; c <= cell_count; ++c) {
         cell_start_[c] += cell_start_[c - 1];
     }
-    slot_.resize(n);
-    packet_.resize(4 * static_cast<std::size_t>(n));
+    constexpr std::size_t spare = 8;  // that a search may read
+    slot_.resize(n + spare);
+    for (Column<double>* column : {&centre_[0], &centre_[1], &centre_[2], &radius_}) {
+        column->resize(n + spare);
+    }
     next_.assign(cell_start_.begin(), cell_start_.end() - 1);
     for (Index s = 0; s < n; ++s) {
         const Index place = next_[cell_of_[s]]++;
         slot_[place] = s;
-        std::copy_n(particles.positions().data() + 4 * static_cast<std::size_t>(s),
-                    4,
-                    packet_.data() + 4 * static_cast<std::size_t>(place));
+        const Vec3 centre = particles.position(s);
+        centre_[0][place] = centre.x;
+        centre_[1][place] = centre.y;
+        centre_[2][place] = centre.z;
+        radius_[place] = particles.radius(s);
     }
 }
 
@@ -109,7 +114,8 @@ void CandidateFinder::find(const ParticleState& particles,
     if (particles.row_count() > 1) {
         sort_into_cells(particles, 2.0 * scale * particles.smallest_radius() + extra);
         search = {.grid = grid_,
-                  .packet = packet_.data(),
+                  .centre = {centre_[0].data(), centre_[1].data(), centre_[2].data()},
+                  .radius = radius_.data(),
                   .slot = slot_.data(),
                   .cell_start = cell_start_.data(),
                   .count = particles.row_count(),
@@ -136,11 +142,13 @@ void CandidateFinder::release_work_space() {
     for (Column<Index>* column : {&found_i_, &found_j_}) {
         release_if_large(*column);
     }
+    for (Column<double>* column : {&centre_[0], &centre_[1], &centre_[2], &radius_}) {
+        release_if_large(*column);
+    }
     for (std::vector<Index>* column : {&cell_start_, &next_, &slot_, &row_start_}) {
         release_if_large(*column);
     }
     release_if_large(cell_of_);
-    release_if_large(packet_);
 }
 
 }  // namespace grainbench

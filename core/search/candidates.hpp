@@ -105,8 +105,9 @@ private:
     std::vector<Index> cell_start_;
     std::vector<Index> next_;  ///< by cell or row, while counting
     std::vector<std::uint32_t> cell_of_;
-    std::vector<Index> slot_;  ///< by place in the sorted order
-    Column<double> packet_;    ///< positions in the sorted order
+    std::vector<Index> slot_;   ///< by place in the sorted order
+    Column<double> centre_[3];  ///< [m] by place
+    Column<double> radius_;     ///< [m] by place
     Column<Index> found_i_, found_j_;
     std::vector<Index> row_start_;
 };

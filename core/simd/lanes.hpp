@@ -118,6 +118,31 @@ inline Index append_places(unsigned bits, Index first, Index* found, Index count
 #endif
 }
 
+/// Appends the pairs {self, partner[l]}, the lower slot to `i` and the higher to `j`, for each set
+/// bit l; returns the new count. Reads eight partners and may write eight elements past the count.
+inline std::size_t append_pairs(
+    unsigned bits, Index self, const Index* partner, Index* i, Index* j, std::size_t count) {
+#if HWY_TARGET <= HWY_AVX3
+    const __m256i others = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(partner));
+    const __m256i selves = _mm256_set1_epi32(static_cast<int>(self));
+    const auto append = [&](Index* to, __m256i slots) {
+        _mm256_storeu_si256(reinterpret_cast<__m256i*>(to + count),
+                            _mm256_maskz_compress_epi32(static_cast<__mmask8>(bits), slots));
+    };
+    append(i, _mm256_min_epu32(selves, others));
+    append(j, _mm256_max_epu32(selves, others));
+    return count + static_cast<std::size_t>(__builtin_popcount(bits));
+#else
+    for (; bits != 0; bits &= bits - 1) {
+        const Index other = partner[__builtin_ctz(bits)];
+        i[count] = self < other ? self : other;
+        j[count] = self < other ? other : self;
+        ++count;
+    }
+    return count;
+#endif
+}
+
 /// One component per pack of the packets of `width` rows.
 struct Packets {
     Vec3Of<Pack> xyz;
@@ -228,6 +253,31 @@ public:
             return hn::IfThenElse(
                 hn::Lt(zero, y), hn::Neg(x), hn::IfThenElseZero(hn::Lt(y, zero), x));
         });
+    }
+
+    /// {sum of a, sum of b, sum of a, sum of b}, each (x + y) + (z + w).
+    friend Packet sums(const Packet& a, const Packet& b) {
+#if HWY_TARGET == HWY_SCALAR
+        const auto sum = [](const Packet& p) {
+            return hn::Add(hn::Add(p.part_[0], p.part_[1]), hn::Add(p.part_[2], p.part_[3]));
+        };
+        Packet result = a;
+        result.part_[0] = result.part_[2] = sum(a);
+        result.part_[1] = result.part_[3] = sum(b);
+        return result;
+#else
+        const Packet halves = with(a, b, [](auto x, auto y) {
+            return hn::Add(hn::InterleaveLower(Part(), x, y), hn::InterleaveUpper(Part(), x, y));
+        });
+#if HWY_MAX_BYTES == 16
+        const auto sum = hn::Add(halves.part_[0], halves.part_[1]);
+        return with(a, b, [&](auto, auto) { return sum; });
+#else
+        return with(halves, halves, [](auto x, auto) {
+            return hn::Add(x, hn::ConcatLowerUpper(Part(), x, x));
+        });
+#endif
+#endif
     }
 
     /// The fourth component in all four places.

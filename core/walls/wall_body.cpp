@@ -72,16 +72,12 @@ Vec3 WallBody::to_space(const Vec3& point) const {
     return displacement_ + direction_to_space(point);
 }
 
-double WallBody::relative_speed_bound(const Vec3& fastest, const Vec3& frame) const {
-    const Vec3 offset = velocity_.linear - frame;
-    const Vec3 bound{fastest.x + std::abs(offset.x),
-                     fastest.y + std::abs(offset.y),
-                     fastest.z + std::abs(offset.z)};
+double WallBody::relative_speed_bound(double fastest, const Vec3& frame) const {
     const double turning = norm(velocity_.angular);
     // The farthest point of the surface from the centre of rotation moves fastest.
     const double rim =
         turning > 0.0 ? turning * surface_.extent_from(to_wall(motion_.centre())) : 0.0;
-    return norm(bound) + rim;
+    return fastest + norm(velocity_.linear - frame) + rim;
 }
 
 void WallBody::save(Archive& archive, const std::string& name) const {

@@ -55,8 +55,8 @@ public:
     Vec3 direction_to_space(const Vec3& direction) const;
 
     /// Bound on the speed of any particle relative to any point of the wall, from a bound on its
-    /// speed per axis relative to `frame` [m/s].
-    double relative_speed_bound(const Vec3& fastest, const Vec3& frame) const;
+    /// speed relative to `frame` [m/s].
+    double relative_speed_bound(double fastest, const Vec3& frame) const;
 
     void save(Archive& archive, const std::string& name) const;
     void load(const Archive& archive, const std::string& name);

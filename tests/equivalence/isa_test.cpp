@@ -81,7 +81,7 @@ Bytes moved(const Kernels& kernels,
                     .few_are_loaded = few,
                     .first = 0,
                     .last = count,
-                    .fastest = {},
+                    .fastest_square = 0.0,
                     .velocity_sum = {}};
     (kernels.*move)(pass);
     return Bytes()
@@ -91,7 +91,7 @@ Bytes moved(const Kernels& kernels,
         .add(p.force)
         .add(p.torque)
         .add(p.loaded)
-        .add(pass.fastest, 3)
+        .add(&pass.fastest_square, 1)
         .add(pass.velocity_sum, 3);
 }
 

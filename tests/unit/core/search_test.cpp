@@ -211,6 +211,26 @@ TEST(ParticleState, KeepsWhatWasInsertedUnderItsId) {
     }
 }
 
+TEST(ParticleState, MovesAndFindsTheFastestOfSeveralDirections) {
+    ParticleState particles = state_of(random_cloud(3, 1.0, 0.02, 1));
+    particles.set_velocity(0, {3.0, 0.0, 0.0});
+    particles.set_velocity(1, {0.0, -4.0, 0.0});
+    particles.set_velocity(2, {1.0, 2.0, 2.0});
+    MotionPass pass{.particles = particles.view(),
+                    .gravity = {},
+                    .frame = {1.0, -1.0, 0.0, 0.0},
+                    .kick = 0.1,
+                    .drift = 0.1,
+                    .local_damping = 0.0,
+                    .few_are_loaded = false,
+                    .first = 0,
+                    .last = particles.size(),
+                    .fastest_square = 0.0,
+                    .velocity_sum = {}};
+    kernels_for("").move(pass);
+    EXPECT_EQ(pass.fastest_square, 13.0);  // of {0, 3, 2}; by axis it would be 4 + 9 + 4
+}
+
 /// Rows past the last particle once fell with gravity and ruled the fastest speed.
 TEST(ParticleState, PadsItsColumnsWithRowsThatNeverMoveOrCount) {
     for (int count = 1; count < 10; ++count) {
@@ -227,11 +247,11 @@ TEST(ParticleState, PadsItsColumnsWithRowsThatNeverMoveOrCount) {
                         .few_are_loaded = false,
                         .first = 0,
                         .last = view.count,
-                        .fastest = {},
+                        .fastest_square = 0.0,
                         .velocity_sum = {}};
         kernels_for("").move(pass);
         EXPECT_DOUBLE_EQ(pass.velocity_sum[2], -1.0 * count);
-        EXPECT_DOUBLE_EQ(pass.fastest[2], 0.5);
+        EXPECT_DOUBLE_EQ(pass.fastest_square, 0.25);
         for (std::size_t k = 4 * view.count; k < 4 * view.padded_count; ++k) {
             EXPECT_EQ(view.velocity[k], 0.0);
             EXPECT_EQ(view.position[k], 0.0);
