@@ -313,7 +313,7 @@ std::vector<BenchCase> bench_cases() {
         {.name = "bed_at_rest",
          .about = "the same bed, settled, automatic step",
          .scene = bed_at_rest,
-         .prepared = 0.8,
+         .prepared = 1.6,
          .span = 0.02,
          .repetitions = 7},
         {.name = "medium_bed_at_rest",

@@ -73,7 +73,7 @@ public:
                     const Kernels& kernels,
                     const Workers& workers = {});
 
-    /// Marks the objects that touch or may touch within about two steps.
+    /// Marks the objects that touch or may touch within a few steps (ListClock).
     void look_ahead(const ParticleState& particles,
                     double reach,
                     const Kernels& kernels,

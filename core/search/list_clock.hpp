@@ -1,7 +1,7 @@
 /// When the lists of one kind of contacts (between particles, or with one wall) are due. There are
 /// two lists, each a part of the one before: candidates (a cell grid away) and contact objects
 /// (within the detection tolerance). Of the objects the look-ahead marks those that touch or may
-/// touch within about two steps: they count for the stable step (share/doc/decisions/0004).
+/// touch within a few steps: they count for the stable step (share/doc/decisions/0004).
 #pragma once
 
 #include "core/search/travel_clock.hpp"
