@@ -89,6 +89,9 @@ private:
         if (contact.twisting) {
             add(key_of(*contact.twisting), pointer + "/twisting");
         }
+        if (contact.lever_arm == LeverArm::radius) {
+            add("lever_of_the_radius", pointer + "/lever_arm");
+        }
     }
 
     void add_stage(const Stage& stage, const std::string& pointer) {

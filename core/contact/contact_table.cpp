@@ -103,7 +103,8 @@ ContactTable::ContactTable(const Contact& contact, const Materials& materials)
               place_of(contact.cohesion),
               place_of(contact.rolling),
               place_of(contact.twisting)},
-      materials_(materials.count()) {
+      materials_(materials.count()),
+      lever_cut_(contact.lever_arm == LeverArm::contact_point ? 0.5 : 0.0) {
     const int value_count = layout_of(choice_).value_count;
     const std::size_t pairs = static_cast<std::size_t>(materials_) * materials_;
     values_.assign(pairs * static_cast<std::size_t>(value_count + step_factor_count), 0.0);
@@ -251,7 +252,8 @@ LawView ContactTable::view(double timestep) const {
             timestep,
             choice_,
             pass_of(choice_),
-            impact_};
+            impact_,
+            lever_cut_};
 }
 
 ContactStiffness ContactTable::stiffness(Index material_i,

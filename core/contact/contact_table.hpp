@@ -80,6 +80,9 @@ public:
     /// Step of a lone contact at the expected speed over that at 1 m/s [1].
     double step_of_impact() const { return step_of_impact_; }
 
+    /// Part of the overlap by which the lever of a contact is shorter than the radius [1].
+    double lever_cut() const { return lever_cut_; }
+
     /// Gap over which cohesion acts [m].
     double reach() const { return reach_; }
 
@@ -150,6 +153,7 @@ private:
     double rolling_ratio_ = 0.0;              ///< [1]
     double twisting_ratio_ = 0.0;             ///< [1]
     double impact_ = 1.0;                     ///< [(m/s)^(4/5)]
+    double lever_cut_ = 0.5;                  ///< [1] part of the overlap that levers leave out
     double step_of_impact_ = 1.0;             ///< [1]
     std::vector<ContactStiffness> constant_;  ///< by pair, where it does not depend on radii
 };

@@ -29,11 +29,12 @@ SmallMotions::SmallMotions(const ParticleState& particles,
         const double distance = norm(apart);
         if (distance > 0.0) {
             const double overlap = particles.radius(i) + particles.radius(j) - distance;
+            const double cut = table.lever_cut() * overlap;
             add({.i = particles.owner(i),
                  .j = particles.owner(j),
                  .normal = (1.0 / distance) * apart,
-                 .arm_i = particles.radius(i) - 0.5 * overlap,
-                 .arm_j = particles.radius(j) - 0.5 * overlap},
+                 .arm_i = particles.radius(i) - cut,
+                 .arm_j = particles.radius(j) - cut},
                 particles.species(particles.owner(j)),
                 overlap,
                 particles,
@@ -44,9 +45,13 @@ SmallMotions::SmallMotions(const ParticleState& particles,
         const WallContacts& contacts = wall_contacts[w];
         for (Index t = 0; t < contacts.touching_count(); ++t) {
             const Index i = contacts.particle(t);
-            add({.i = i, .j = no_slot, .normal = contacts.normal(t), .arm_i = contacts.distance(t)},
+            const double overlap = particles.radius(i) - contacts.distance(t);
+            add({.i = i,
+                 .j = no_slot,
+                 .normal = contacts.normal(t),
+                 .arm_i = particles.radius(i) - table.lever_cut() * overlap},
                 walls[w].material(),
-                particles.radius(i) - contacts.distance(t),
+                overlap,
                 particles,
                 table);
         }

@@ -50,7 +50,7 @@ private:
         Index i = 0;
         Index j = 0;
         Vec3 normal{};
-        double arm_i = 0.0;  ///< [m] from the centre to the contact
+        double arm_i = 0.0;  ///< [m] from the centre to where friction acts
         double arm_j = 0.0;
         ContactStiffness stiffness{};
         double damping_n = 0.0;

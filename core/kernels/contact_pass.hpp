@@ -47,7 +47,7 @@ struct Bodies {
     Vec3Of<Pack> velocity_i, velocity_j;
     Vec3Of<Pack> spin_i, spin_j;
     Vec3Of<Pack> whole_spin_j;  ///< [rad/s] also where spin_j leaves out what is in velocity_j
-    Pack lever_i, lever_j;      ///< [m] from the centres to the contact point along the normal
+    Pack lever_i, lever_j;      ///< [m] from the centres along the normal to where friction acts
     Pack inverse_mass_i, inverse_mass_j;
     unsigned new_bits;  ///< lanes whose contact did not act in the last step
 };
@@ -260,6 +260,7 @@ GRAINBENCH_FLATTEN void pair_pass(const PairPass& pass) {
     const ParticleView& p = pass.particles;
     const bool is_far = p.count > cached_particles;
     const Pack timestep(pass.laws.timestep);
+    const Pack lever_cut(pass.laws.lever_cut);
     LawValues<Laws> values(laws, pass.laws);
     for (Index first = 0; first < pass.touching_count; first += width) {
         const Block block(pass.touching + first, pass.touching_count - first);
@@ -291,8 +292,8 @@ GRAINBENCH_FLATTEN void pair_pass(const PairPass& pass) {
         g.normal = inverse * apart;
         g.normal.z = select(together, Pack(1.0), g.normal.z);
         g.overlap = larger(Pack{}, at_i.w + at_j.w - distance);
-        b.lever_i = at_i.w - Pack(0.5) * g.overlap;
-        b.lever_j = at_j.w - Pack(0.5) * g.overlap;
+        b.lever_i = at_i.w - lever_cut * g.overlap;
+        b.lever_j = at_j.w - lever_cut * g.overlap;
         b.new_bits = block.new_bits;
         if (laws.need(Needs::radii)) {
             g.area_radius = smaller(at_i.w, at_j.w);
@@ -303,8 +304,8 @@ GRAINBENCH_FLATTEN void pair_pass(const PairPass& pass) {
         }
         if (laws.need(Needs::gap)) {
             g.gap = distance - (at_i.w + at_j.w);
-            b.lever_i = at_i.w + Pack(0.5) * g.gap;
-            b.lever_j = at_j.w + Pack(0.5) * g.gap;
+            b.lever_i = at_i.w + lever_cut * g.gap;
+            b.lever_j = at_j.w + lever_cut * g.gap;
         }
         if (laws.need(Needs::velocity) || laws.need(Needs::effective_mass)) {
             const Packets motion_i = load_i(p.velocity);
@@ -342,7 +343,7 @@ GRAINBENCH_FLATTEN void pair_pass(const PairPass& pass) {
         store_packets(force.whole, Pack{}, forces);
         // Lane by lane, so that sums are in the order of the contacts whatever the width.
         if (laws.need(Needs::spin)) {
-            // Contact point and force give -r_i n x F on i and -r_j n x F on j.
+            // Levers and force give -r_i n x F on i and -r_j n x F on j.
             const Vec3Of<Pack> turning = cross(g.normal, force.tangential);
             alignas(64) double torques_i[4 * width];
             alignas(64) double torques_j[4 * width];
@@ -375,6 +376,7 @@ GRAINBENCH_FLATTEN void wall_pass(const WallPass& pass) {
     const Index row_packets = packets + 1;
     const ParticleView& p = pass.particles;
     const Pack timestep(pass.laws.timestep);
+    const Pack lever_cut(pass.laws.lever_cut);
     const auto spread = [](const double(&v)[3]) {
         return Vec3Of<Pack>{Pack(v[0]), Pack(v[1]), Pack(v[2])};
     };
@@ -399,7 +401,7 @@ GRAINBENCH_FLATTEN void wall_pass(const WallPass& pass) {
             pass.rows, [&](Index l) { return row_packets * block.place[l] + row_packets - 1; });
         g.normal = wall.xyz;
         g.overlap = larger(Pack{}, at_i.w - wall.w);
-        b.lever_i = at_i.w - Pack(0.5) * g.overlap;
+        b.lever_i = at_i.w - lever_cut * g.overlap;
         b.lever_j = Pack{};  // the wall's spin is already in its velocity at the contact
         b.new_bits = block.new_bits;
         if (laws.need(Needs::radii)) {
@@ -411,14 +413,14 @@ GRAINBENCH_FLATTEN void wall_pass(const WallPass& pass) {
         }
         if (laws.need(Needs::gap)) {
             g.gap = wall.w - at_i.w;
-            b.lever_i = at_i.w + Pack(0.5) * g.gap;
+            b.lever_i = at_i.w + lever_cut * g.gap;
         }
         if (laws.need(Needs::velocity) || laws.need(Needs::effective_mass)) {
             const Packets motion = load_i(p.velocity);
             b.velocity_i = motion.xyz;
             b.inverse_mass_i = motion.w;
             b.inverse_mass_j = Pack{};
-            // The contact point is in the middle of the overlap (physics reference 1.1).
+            // There friction acts, as a rule in the middle of the overlap (physics reference 1.1).
             const Vec3Of<Pack> arm = at_i.xyz + b.lever_i * g.normal - centre;
             b.velocity_j = wall_velocity + cross(wall_spin, arm);
         }

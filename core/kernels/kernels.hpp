@@ -149,6 +149,7 @@ struct LawView {
     LawChoice choice;  ///< the laws
     std::size_t pass;  ///< the pass for them; the general one will do for all
     double impact;     ///< [(m/s)^(4/5)] speed of impacts to expect for the stable step, to the 4/5
+    double lever_cut;  ///< [1] part of the overlap by which a lever is shorter than its radius
 };
 
 /// A touching contact by its place in a list, and whether this is its first step.

@@ -27,11 +27,13 @@ inline ContactLoad load_of(const MeasureView& view, ContactLoad contact, const d
     const auto vector = [&](Index first) {
         return Vec3{record[first], record[first + 1], record[first + 2]};
     };
-    const double lever = record[record_lever_i] +
-                         (contact.wall == ContactLoad::no_wall ? record[record_lever_j] : 0.0);
+    const ParticleState& p = view.particles;
+    const double to_point = p.radius(contact.i) - 0.5 * contact.overlap;
+    const double beyond =
+        contact.wall == ContactLoad::no_wall ? p.radius(contact.j) - 0.5 * contact.overlap : 0.0;
     contact.normal = vector(record_normal_x);
-    contact.point = view.particles.position(contact.i) + record[record_lever_i] * contact.normal;
-    contact.branch = lever * contact.normal;
+    contact.point = p.position(contact.i) + to_point * contact.normal;
+    contact.branch = (to_point + beyond) * contact.normal;
     contact.pressing = record[record_normal];
     contact.shear = vector(record_shear_x);
     contact.force = contact.pressing * contact.normal + contact.shear + vector(record_damping_x);

@@ -75,6 +75,18 @@ struct PairContact {
     }
 };
 
+/// How far from a centre the force along the contact plane acts: at the contact point, which is in
+/// the middle of the overlap (R - delta / 2, R + half the gap where only cohesion acts), or at the
+/// radius R, as for rigid spheres (R >> delta) and as in LAMMPS. Levers that end in one point keep
+/// the angular momentum of a pair; those of length R change it by delta n x F a second.
+enum class LeverArm { contact_point, radius };
+
+template <>
+struct EnumNames<LeverArm> {
+    static constexpr std::array<std::pair<LeverArm, std::string_view>, 2> value{
+        {{LeverArm::contact_point, "contact_point"}, {LeverArm::radius, "radius"}}};
+};
+
 /// Laws of all contacts. An absent optional law is off and costs nothing.
 struct Contact {
     StiffnessLaw stiffness;
@@ -84,6 +96,7 @@ struct Contact {
     std::optional<CohesionLaw> cohesion;
     std::optional<RollingLaw> rolling;
     std::optional<TwistingLaw> twisting;
+    LeverArm lever_arm = LeverArm::contact_point;
     std::vector<PairContact> pairs;
 
     static constexpr auto fields() {
@@ -111,6 +124,12 @@ struct Contact {
                   "",
                   any_number(),
                   "moment against spin about the normal; absent = none"),
+            field(&Contact::lever_arm,
+                  "lever_arm",
+                  "",
+                  any_number(),
+                  "where friction and dashpots turn particles: at contact_point, in the middle of "
+                  "the overlap, or at the radius, as for rigid spheres"),
             field(&Contact::pairs, "pairs", "", any_number(), "other numbers for named pairs")};
     }
 };

@@ -60,8 +60,10 @@ Ledger ledger_of(const Scene& scene) {
             .numerical = run.now("energy_numerical")};
 }
 
-void check_ledger(Checks& checks, bool pair, bool moving) {
-    const Ledger ledger = ledger_of(ledger_scene(4000.0, pair, moving));
+void check_ledger(Checks& checks, bool pair, bool moving, LeverArm lever_arm) {
+    Scene scene = ledger_scene(4000.0, pair, moving);
+    scene.contact.lever_arm = lever_arm;
+    const Ledger ledger = ledger_of(scene);
     checks.add("lost, over the start's kinetic energy",
                "1",
                (ledger.slip + ledger.dashpot) / ledger.start,
@@ -80,9 +82,13 @@ void check_ledger(Checks& checks, bool pair, bool moving) {
         exact());
 }
 
-Case ledger_case(const char* name, const char* title, bool pair, bool moving) {
+Case ledger_case(const char* name,
+                 const char* title,
+                 bool pair,
+                 bool moving,
+                 LeverArm lever_arm = LeverArm::contact_point) {
     return {.name = name, .section = "10.12", .title = title, .run = [=](Checks& checks) {
-                check_ledger(checks, pair, moving);
+                check_ledger(checks, pair, moving, lever_arm);
             }};
 }
 
@@ -152,6 +158,11 @@ std::vector<Case> energy_cases() {
         ledger_case("energy/plane", "ledger of a damped impact with friction", false, false),
         ledger_case("energy/moving-plane", "the same on a plane that moves", false, true),
         ledger_case("energy/pair", "the same of two balls", true, false),
+        ledger_case("energy/pair-lever-of-radius",
+                    "the same with levers as long as the radius",
+                    true,
+                    false,
+                    LeverArm::radius),
         {.name = "energy/shaken-bed",
          .section = "10.12",
          .title = "ledger of the shaken bed of the example",
