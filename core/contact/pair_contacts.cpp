@@ -253,12 +253,19 @@ void PairContacts::add_forces(ParticleState& particles,
     } else {
         release_if_large(records_);
     }
+    // Where most particles touch something, marking them contact by contact costs more than it
+    // saves (Engine::few_are_loaded).
+    const bool many_touch = 4 * touching().size() >= particles.size();
+    if (many_touch) {
+        particles.mark_all_loaded();
+    }
     const PairPass all{.particles = particles.view(),
                        .laws = table.view(timestep),
                        .i = objects().i.data(),
                        .j = objects().j.data(),
                        .touching = touching().data(),
                        .touching_count = static_cast<Index>(touching().size()),
+                       .marks_loaded = !many_touch,
                        .rows = objects_.rows(),
                        .records = records ? records_.data() : nullptr};
     for_each_slab(workers, [&](std::size_t slab) {

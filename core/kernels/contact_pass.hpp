@@ -168,15 +168,19 @@ inline void keep_records(const Load<Pack>& load,
     }
 }
 
-/// Adds a packet to a row of a column of packets, or takes it away.
-inline void add_packet(double* column, Index row, const double* packet) {
-    double* to = column + 4 * static_cast<std::size_t>(row);
+/// Adds a packet to another, or takes it away.
+inline void add_packet(double* to, const double* packet) {
     (Packet(to) + Packet(packet)).store(to);
 }
 
-inline void subtract_packet(double* column, Index row, const double* packet) {
-    double* to = column + 4 * static_cast<std::size_t>(row);
+inline void subtract_packet(double* to, const double* packet) {
     (Packet(to) - Packet(packet)).store(to);
+}
+
+/// One packet of the motion of rows row(0) ... row(width - 1), as components.
+template <class Row>
+Packets load_motion(const ParticleView& particles, MotionPacket packet, const Row& row) {
+    return load_packets<motion_row>(particles.motion + packet, row);
 }
 
 /// History of the contacts of a block: the first `packets` packets of rows of `row_packets`.
@@ -235,21 +239,13 @@ inline void fetch_ahead(const PairPass& pass, Index first, Index row_packets) {
     const ParticleView& p = pass.particles;
     for (Index l = 0; l < width; ++l) {
         const Index place = pass.touching[first + l].place();
-        const std::size_t at = 4 * std::size_t{pass.j[place]};
-        for (const double* column : {p.position, p.velocity, p.spin, p.force, p.torque}) {
-            __builtin_prefetch(column + at, 1);
-        }
+        const std::size_t row = pass.j[place];
+        __builtin_prefetch(p.position + 4 * row, 1);
+        __builtin_prefetch(p.motion + motion_row * row, 1);
+        __builtin_prefetch(p.motion + motion_row * row + force_packet, 1);
         __builtin_prefetch(pass.rows + 4 * std::size_t{row_packets} * place, 1);
     }
 }
-
-// The passes are flattened: laws and helpers are one body with them, so that a block of contacts
-// stays in registers from load to store. Not under sanitizers, whose checks would multiply with it.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define GRAINBENCH_FLATTEN
-#else
-#define GRAINBENCH_FLATTEN [[gnu::flatten]]
-#endif
 
 /// \tparam keeps_records few steps do: a pass of their own, so that the others need not hold what
 /// only records read.
@@ -257,7 +253,7 @@ template <class Laws, bool keeps_records>
 GRAINBENCH_FLATTEN void pair_pass(const PairPass& pass) {
     const Laws laws(pass.laws.choice);
     const Index packets = history_packets(laws.history_size());
-    const ParticleView& p = pass.particles;
+    const ParticleView p = pass.particles;  // a copy, which no store can change
     const bool is_far = p.count > cached_particles;
     const Pack timestep(pass.laws.timestep);
     const Pack lever_cut(pass.laws.lever_cut);
@@ -273,17 +269,13 @@ GRAINBENCH_FLATTEN void pair_pass(const PairPass& pass) {
             row_i[l] = pass.i[block.place[l]];
             row_j[l] = pass.j[block.place[l]];
         }
-        const auto load_i = [&](const double* column) {
-            return load_packets(column, [&](Index l) { return row_i[l]; });
-        };
-        const auto load_j = [&](const double* column) {
-            return load_packets(column, [&](Index l) { return row_j[l]; });
-        };
+        const auto of_i = [&](Index l) { return row_i[l]; };
+        const auto of_j = [&](Index l) { return row_j[l]; };
 
         Geometry<Pack> g{};
         Bodies b;
-        const Packets at_i = load_i(p.position);
-        const Packets at_j = load_j(p.position);
+        const Packets at_i = load_packets(p.position, of_i);
+        const Packets at_j = load_packets(p.position, of_j);
         const Vec3Of<Pack> apart = at_j.xyz - at_i.xyz;
         const Pack distance = square_root(dot(apart, apart));
         // Coincident centres have no direction: any will do, and it must be a number.
@@ -308,20 +300,23 @@ GRAINBENCH_FLATTEN void pair_pass(const PairPass& pass) {
             b.lever_j = at_j.w + lever_cut * g.gap;
         }
         if (laws.need(Needs::velocity) || laws.need(Needs::effective_mass)) {
-            const Packets motion_i = load_i(p.velocity);
-            const Packets motion_j = load_j(p.velocity);
+            const Packets motion_i = load_motion(p, velocity_packet, of_i);
+            const Packets motion_j = load_motion(p, velocity_packet, of_j);
             b.velocity_i = motion_i.xyz;
             b.velocity_j = motion_j.xyz;
             b.inverse_mass_i = motion_i.w;
             b.inverse_mass_j = motion_j.w;
         }
         if (laws.need(Needs::spin)) {
-            b.spin_i = load_i(p.spin).xyz;
-            b.spin_j = load_j(p.spin).xyz;
+            b.spin_i = load_motion(p, spin_packet, of_i).xyz;
+            b.spin_j = load_motion(p, spin_packet, of_j).xyz;
             b.whole_spin_j = b.spin_j;
         }
         if (!pass.laws.uniform) {
-            values.look_up(laws, pass.laws, load_i(p.spin).w, load_j(p.spin).w);
+            values.look_up(laws,
+                           pass.laws,
+                           load_motion(p, spin_packet, of_i).w,
+                           load_motion(p, spin_packet, of_j).w);
         }
         complete_geometry(laws, b, timestep, g);
 
@@ -356,15 +351,21 @@ GRAINBENCH_FLATTEN void pair_pass(const PairPass& pass) {
             store_packets(on_i, Pack{}, torques_i);
             store_packets(on_j, Pack{}, torques_j);
             for (Index l = 0; l < block.valid; ++l) {
-                subtract_packet(p.torque, row_i[l], torques_i + 4 * l);
-                subtract_packet(p.torque, row_j[l], torques_j + 4 * l);
+                subtract_packet(p.motion + motion_row * row_i[l] + torque_packet,
+                                torques_i + 4 * l);
+                subtract_packet(p.motion + motion_row * row_j[l] + torque_packet,
+                                torques_j + 4 * l);
             }
         }
         for (Index l = 0; l < block.valid; ++l) {
-            subtract_packet(p.force, row_i[l], forces + 4 * l);
-            add_packet(p.force, row_j[l], forces + 4 * l);
-            p.loaded[row_i[l]] = 1;
-            p.loaded[row_j[l]] = 1;
+            subtract_packet(p.motion + motion_row * row_i[l] + force_packet, forces + 4 * l);
+            add_packet(p.motion + motion_row * row_j[l] + force_packet, forces + 4 * l);
+        }
+        if (pass.marks_loaded) {
+            for (Index l = 0; l < block.valid; ++l) {
+                p.loaded[row_i[l]] = 1;
+                p.loaded[row_j[l]] = 1;
+            }
         }
     }
 }
@@ -390,13 +391,11 @@ GRAINBENCH_FLATTEN void wall_pass(const WallPass& pass) {
         for (Index l = 0; l < width; ++l) {
             row[l] = pass.particle[block.place[l]];
         }
-        const auto load_i = [&](const double* column) {
-            return load_packets(column, [&](Index l) { return row[l]; });
-        };
+        const auto of_i = [&](Index l) { return row[l]; };
 
         Geometry<Pack> g{};
         Bodies b;
-        const Packets at_i = load_i(p.position);
+        const Packets at_i = load_packets(p.position, of_i);
         const Packets wall = load_packets(
             pass.rows, [&](Index l) { return row_packets * block.place[l] + row_packets - 1; });
         g.normal = wall.xyz;
@@ -416,7 +415,7 @@ GRAINBENCH_FLATTEN void wall_pass(const WallPass& pass) {
             b.lever_i = at_i.w + lever_cut * g.gap;
         }
         if (laws.need(Needs::velocity) || laws.need(Needs::effective_mass)) {
-            const Packets motion = load_i(p.velocity);
+            const Packets motion = load_motion(p, velocity_packet, of_i);
             b.velocity_i = motion.xyz;
             b.inverse_mass_i = motion.w;
             b.inverse_mass_j = Pack{};
@@ -425,12 +424,13 @@ GRAINBENCH_FLATTEN void wall_pass(const WallPass& pass) {
             b.velocity_j = wall_velocity + cross(wall_spin, arm);
         }
         if (laws.need(Needs::spin)) {
-            b.spin_i = load_i(p.spin).xyz;
+            b.spin_i = load_motion(p, spin_packet, of_i).xyz;
             b.spin_j = dot(wall_spin, g.normal) * g.normal;
             b.whole_spin_j = wall_spin;
         }
         if (!pass.laws.uniform) {
-            values.look_up(laws, pass.laws, load_i(p.spin).w, Pack(pass.material));
+            values.look_up(
+                laws, pass.laws, load_motion(p, spin_packet, of_i).w, Pack(pass.material));
         }
         complete_geometry(laws, b, timestep, g);
 
@@ -452,7 +452,7 @@ GRAINBENCH_FLATTEN void wall_pass(const WallPass& pass) {
         store_packets(force.whole, Pack{}, forces);
         for (Index l = 0; l < block.valid; ++l) {
             Packet(forces + 4 * l).store(pass.force + 4 * static_cast<std::size_t>(first + l));
-            subtract_packet(p.force, row[l], forces + 4 * l);
+            subtract_packet(p.motion + motion_row * row[l] + force_packet, forces + 4 * l);
             p.loaded[row[l]] = 1;
         }
         if (laws.need(Needs::spin)) {
@@ -462,7 +462,7 @@ GRAINBENCH_FLATTEN void wall_pass(const WallPass& pass) {
             }
             store_packets(on_i, Pack{}, forces);
             for (Index l = 0; l < block.valid; ++l) {
-                subtract_packet(p.torque, row[l], forces + 4 * l);
+                subtract_packet(p.motion + motion_row * row[l] + torque_packet, forces + 4 * l);
             }
         }
     }

@@ -10,14 +10,21 @@
 
 namespace grainbench {
 
-/// Columns of packets, four doubles per particle (share/doc/decisions/0002-packets-of-four.md).
+/// Packets of four doubles in a row of the column of motion, by their first element
+/// (share/doc/decisions/0002-packets-of-four.md).
+enum MotionPacket : std::size_t {
+    velocity_packet = 0,  ///< v at the half step [m/s], inverse mass [1/kg]
+    spin_packet = 4,      ///< omega at the half step [rad/s], material
+    force_packet = 8,     ///< [N], 0
+    torque_packet = 12,   ///< [N m], inverse moment of inertia [1/(kg m^2)]
+    motion_row = 16       ///< doubles per row
+};
+
+/// Columns, one row per particle.
 struct ParticleView {
-    double* position;          ///< x, y, z [m], radius [m]
-    double* velocity;          ///< v at the half step [m/s], inverse mass [1/kg]
-    double* spin;              ///< omega at the half step [rad/s], material
-    double* force;             ///< [N], 0
-    double* torque;            ///< [N m], inverse moment of inertia [1/(kg m^2)]
-    std::uint8_t* loaded;      ///< by particle: 0 where force and torque are zero
+    double* position;          ///< packets: x, y, z [m], radius [m]
+    double* motion;            ///< rows of packets, see MotionPacket
+    std::uint8_t* loaded;      ///< by particle: where 0, force and torque are zero
     std::size_t count;         ///< of particles
     std::size_t padded_count;  ///< rows of each column, a multiple of 8
 };
@@ -177,8 +184,9 @@ struct PairPass {
     const Index* j;                   ///< by place
     const TouchingContact* touching;  ///< ascending
     Index touching_count;
-    double* rows;     ///< by place: history_packets(size) packets
-    double* records;  ///< by touching contact; null where none are kept
+    bool marks_loaded;  ///< false where all particles are marked already
+    double* rows;       ///< by place: history_packets(size) packets
+    double* records;    ///< by touching contact; null where none are kept
 };
 
 /// Packets that hold the history of one contact.

@@ -17,17 +17,17 @@ template <bool turns>
 [[gnu::always_inline]] inline Packet kick_by_loads(const ParticleView& p,
                                                    std::size_t row,
                                                    const Packet& kick) {
-    const std::size_t at = 4 * row;
+    double* const motion = p.motion + motion_row * row;
     const Packet zero(0.0);
-    const Packet velocity(p.velocity + at);
+    const Packet velocity(motion + velocity_packet);
     const Packet kicked =
-        velocity + with_fourth(Packet(p.force + at) * velocity.fourth() * kick, zero);
-    zero.store(p.force + at);
+        velocity + with_fourth(Packet(motion + force_packet) * velocity.fourth() * kick, zero);
+    zero.store(motion + force_packet);
     if constexpr (turns) {
-        const Packet torque(p.torque + at);
-        (Packet(p.spin + at) + with_fourth(torque * torque.fourth() * kick, zero))
-            .store(p.spin + at);
-        with_fourth(zero, torque).store(p.torque + at);
+        const Packet torque(motion + torque_packet);
+        (Packet(motion + spin_packet) + with_fourth(torque * torque.fourth() * kick, zero))
+            .store(motion + spin_packet);
+        with_fourth(zero, torque).store(motion + torque_packet);
     }
     return kicked;
 }
@@ -63,10 +63,10 @@ template <class VelocityOf>
     Packet largest = zero;
     /// Returns the square of the velocity in the frame, by component.
     const auto advance = [&](std::size_t row, std::size_t k) __attribute__((always_inline)) {
-        const std::size_t at = 4 * row;
         const Packet velocity = velocity_of(row);
-        velocity.store(p.velocity + at);
-        (Packet(p.position + at) + velocity * way).store(p.position + at);
+        velocity.store(p.motion + motion_row * row + velocity_packet);
+        double* const position = p.position + 4 * row;
+        (Packet(position) + velocity * way).store(position);
         sum[k] = sum[k] + velocity;
         const Packet relative = with_fourth(velocity - frame, zero);
         return relative * relative;
@@ -99,9 +99,11 @@ void move(MotionPass& pass) {
     const Packet fall = gravity_of(pass) * kick;
     if (pass.few_are_loaded) {
         for_each_loaded(p, pass.first, pass.last, [&](std::size_t row) {
-            kick_by_loads<turns>(p, row, kick).store(p.velocity + 4 * row);
+            kick_by_loads<turns>(p, row, kick).store(p.motion + motion_row * row + velocity_packet);
         });
-        drift(pass, [&](std::size_t row) { return Packet(p.velocity + 4 * row) + fall; });
+        drift(pass, [&](std::size_t row) {
+            return Packet(p.motion + motion_row * row + velocity_packet) + fall;
+        });
     } else {
         std::memset(p.loaded + pass.first, 0, pass.last - pass.first);
         drift(
@@ -124,18 +126,19 @@ inline void move_damped(MotionPass& pass) {
     };
     std::memset(p.loaded + pass.first, 0, pass.last - pass.first);
     drift(pass, [&](std::size_t row) {
-        const std::size_t at = 4 * row;
-        const Packet torque(p.torque + at);
-        kicked(Packet(p.spin + at), torque * torque.fourth()).store(p.spin + at);
-        const Packet velocity(p.velocity + at);
-        const Packet result = kicked(velocity, Packet(p.force + at) * velocity.fourth() + gravity);
-        zero.store(p.force + at);
-        with_fourth(zero, torque).store(p.torque + at);
+        double* const motion = p.motion + motion_row * row;
+        const Packet torque(motion + torque_packet);
+        kicked(Packet(motion + spin_packet), torque * torque.fourth()).store(motion + spin_packet);
+        const Packet velocity(motion + velocity_packet);
+        const Packet result =
+            kicked(velocity, Packet(motion + force_packet) * velocity.fourth() + gravity);
+        zero.store(motion + force_packet);
+        with_fourth(zero, torque).store(motion + torque_packet);
         return result;
     });
 }
 
-inline void measure_travel(TravelPass& pass) {
+GRAINBENCH_FLATTEN inline void measure_travel(TravelPass& pass) {
     const Vec3Of<Pack> frame{Pack(pass.frame[0]), Pack(pass.frame[1]), Pack(pass.frame[2])};
     const Pack smallest_square(pass.smallest_radius * pass.smallest_radius);
     Pack largest;

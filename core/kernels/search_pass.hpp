@@ -151,7 +151,7 @@ inline Mask may_reach_shell(const double* shells,
     return near | (line.w <= Pack{});
 }
 
-inline void test_patches(const PatchQuery& query, const PatchAnswers& answers) {
+GRAINBENCH_FLATTEN inline void test_patches(const PatchQuery& query, const PatchAnswers& answers) {
     const Pack scale(query.scale);
     const Pack extra(query.extra);
     const Vec3Of<Pack> shift{Pack(query.shift[0]), Pack(query.shift[1]), Pack(query.shift[2])};

@@ -50,15 +50,15 @@ struct StepShares {
     }
 
     void add_to(const StepSums& sums, Index row, Index lane) const {
-        add_packet(sums.shear, row, shear + 4 * lane);
+        add_packet(sums.shear + 4 * std::size_t{row}, shear + 4 * lane);
         if (sums.normal != nullptr) {
-            add_packet(sums.normal, row, normal + 4 * lane);
+            add_packet(sums.normal + 4 * std::size_t{row}, normal + 4 * lane);
         }
     }
 };
 
 template <class Law>
-void add_pair_steps(const PairStepPass& pass) {
+GRAINBENCH_FLATTEN void add_pair_steps(const PairStepPass& pass) {
     const ParticleView& p = pass.particles;
     StepValues<Law> values(pass.laws);
     for (Index first = 0; first < pass.count; first += width) {
@@ -70,14 +70,10 @@ void add_pair_steps(const PairStepPass& pass) {
             i[l] = pass.i[place];
             j[l] = pass.j[place];
         }
-        const auto load_i = [&](const double* column) {
-            return load_packets(column, [&](Index l) { return i[l]; });
-        };
-        const auto load_j = [&](const double* column) {
-            return load_packets(column, [&](Index l) { return j[l]; });
-        };
-        const Packets at_i = load_i(p.position);
-        const Packets at_j = load_j(p.position);
+        const auto of_i = [&](Index l) { return i[l]; };
+        const auto of_j = [&](Index l) { return j[l]; };
+        const Packets at_i = load_packets(p.position, of_i);
+        const Packets at_j = load_packets(p.position, of_j);
         Geometry<Pack> g{};
         if constexpr (contains(Law::needs, Needs::radii)) {
             g.area_radius = smaller(at_i.w, at_j.w);
@@ -93,7 +89,9 @@ void add_pair_steps(const PairStepPass& pass) {
         const Pack inverse =
             select(is_apart, Pack(1.0) / select(is_apart, square, Pack(1.0)), Pack{});
         if (!pass.laws.uniform) {
-            values.look_up(pass.laws, load_i(p.spin).w, load_j(p.spin).w);
+            values.look_up(pass.laws,
+                           load_motion(p, spin_packet, of_i).w,
+                           load_motion(p, spin_packet, of_j).w);
         }
         const StepShares shares(StiffnessPair::of<Law>(values, pass.laws.impact, g),
                                 {apart.x * apart.x * inverse,
@@ -107,7 +105,7 @@ void add_pair_steps(const PairStepPass& pass) {
 }
 
 template <class Law>
-void add_wall_steps(const WallStepPass& pass) {
+GRAINBENCH_FLATTEN void add_wall_steps(const WallStepPass& pass) {
     StepValues<Law> values(pass.laws);
     for (Index first = 0; first < pass.count; first += width) {
         const Index valid = pass.count - first < width ? pass.count - first : width;
@@ -126,7 +124,7 @@ void add_wall_steps(const WallStepPass& pass) {
         }
         if (!pass.laws.uniform) {
             values.look_up(
-                pass.laws, load_packets(pass.particles.spin, row).w, Pack(pass.material));
+                pass.laws, load_motion(pass.particles, spin_packet, row).w, Pack(pass.material));
         }
         const StepShares shares(StiffnessPair::of<Law>(values, pass.laws.impact, g),
                                 {n.x * n.x, n.y * n.y, n.z * n.z});
@@ -136,12 +134,12 @@ void add_wall_steps(const WallStepPass& pass) {
     }
 }
 
-inline double largest_step_ratio(const ParticleView& p, const StepSums& sums) {
+GRAINBENCH_FLATTEN inline double largest_step_ratio(const ParticleView& p, const StepSums& sums) {
     Pack largest;
     for (std::size_t first = 0; first < p.padded_count; first += width) {
         const auto row = [&](Index l) { return first + l; };
         const Packets shear = load_packets(sums.shear, row);
-        const Pack inverse_mass = load_packets(p.velocity, row).w;
+        const Pack inverse_mass = load_motion(p, velocity_packet, row).w;
         const Pack least = smaller(shear.xyz.x, smaller(shear.xyz.y, shear.xyz.z));
         // kappa / I with I = 2/5 m R^2 and lever R (2). Moments raise it: what is stiff against
         // rolling about an axis is the part of the normals across it, against twisting the rest.

@@ -15,6 +15,14 @@
 #include <cstdint>
 #include <type_traits>
 
+// Passes are flattened: laws and helpers are one body with them, so that a block of contacts stays
+// in registers from load to store. Not under sanitizers, whose checks would multiply with it.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define GRAINBENCH_FLATTEN
+#else
+#define GRAINBENCH_FLATTEN [[gnu::flatten]]
+#endif
+
 namespace grainbench::GRAINBENCH_ISA {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -149,11 +157,12 @@ struct Packets {
     Pack w;
 };
 
-/// Reads the packets of rows row(0) ... row(width - 1) whole and turns them into components:
-/// several times faster than gathering each component.
-template <class Row>
+/// Reads one packet of each of the rows row(0) ... row(width - 1) whole and turns them into
+/// components: several times faster than gathering each component.
+/// \tparam row_size doubles from row to row
+template <std::size_t row_size = 4, class Row>
 Packets load_packets(const double* column, const Row& row) {
-    const auto at = [&](Index l) { return column + 4 * static_cast<std::size_t>(row(l)); };
+    const auto at = [&](Index l) { return column + row_size * static_cast<std::size_t>(row(l)); };
 #if HWY_TARGET == HWY_SCALAR
     const double* p = at(0);
     return {{Pack(p[0]), Pack(p[1]), Pack(p[2])}, Pack(p[3])};

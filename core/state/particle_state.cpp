@@ -1,6 +1,7 @@
 #include "core/state/particle_state.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace grainbench {
@@ -56,17 +57,16 @@ Index slab_size_of(Index size, Index largest_layer) {
     return static_cast<Index>((std::max<std::size_t>(slab, 1) + 63) / 64 * 64);
 }
 
-void put_packet(Column<double>& column, Index slot, const Vec3& v, double fourth) {
-    double* p = column.data() + 4 * static_cast<std::size_t>(slot);
-    p[0] = v.x;
-    p[1] = v.y;
-    p[2] = v.z;
-    p[3] = fourth;
-}
-
 double inverse_inertia_of(double mass, double radius) {
     return 1.0 / (0.4 * mass * radius * radius);
 }
+
+/// Packets of the motion in a checkpoint.
+constexpr std::array<std::pair<const char*, MotionPacket>, 4> motion_names{
+    {{"particles/velocity", velocity_packet},
+     {"particles/spin", spin_packet},
+     {"particles/force", force_packet},
+     {"particles/torque", torque_packet}}};
 
 std::vector<double> plain(const Column<double>& column) {
     return {column.begin(), column.end()};
@@ -107,16 +107,22 @@ ParticleState::ParticleState(std::span<const Sphere> spheres,
     order_by_id();
 }
 
+/// Rows from `kept` on hold zeros.
+void ParticleState::resize_rows(std::size_t kept, std::size_t rows) {
+    const auto resize = [&](auto& column, std::size_t row_size) {
+        column.resize(row_size * kept);
+        column.resize(row_size * rows);
+    };
+    resize(position_, 4);
+    resize(motion_, motion_row);
+    resize(loaded_, 1);
+}
+
 /// Rows that are new hold zeros.
 void ParticleState::resize(Index size) {
     size_ = size;
     const std::size_t padded = (std::size_t{size} + 7) / 8 * 8;
-    for (Column<double>* column : {&position_, &velocity_, &spin_, &force_, &torque_}) {
-        column->resize(4 * std::size_t{size}, 0.0);
-        column->resize(4 * padded, 0.0);
-    }
-    loaded_.resize(size, 0);
-    loaded_.resize(padded, 0);
+    resize_rows(size, padded);
     mass_.resize(size);
     species_.resize(size);
     id_.resize(size);
@@ -125,10 +131,11 @@ void ParticleState::resize(Index size) {
 void ParticleState::put(Index slot, const Sphere& sphere, std::int64_t id) {
     const double r = sphere.radius;
     const double mass = sphere_mass(density_[sphere.species], r);
-    put_packet(position_, slot, sphere.position, r);
-    put_packet(velocity_, slot, sphere.velocity, 1.0 / mass);
-    put_packet(spin_, slot, sphere.angular_velocity, static_cast<double>(sphere.species));
-    put_packet(torque_, slot, {}, inverse_inertia_of(mass, r));
+    set_packet(place(slot), sphere.position, r);
+    set_packet(packet(slot, velocity_packet), sphere.velocity, 1.0 / mass);
+    set_packet(
+        packet(slot, spin_packet), sphere.angular_velocity, static_cast<double>(sphere.species));
+    set_packet(packet(slot, torque_packet), {}, inverse_inertia_of(mass, r));
     mass_[slot] = mass;
     species_[slot] = sphere.species;
     id_[slot] = id;
@@ -145,9 +152,8 @@ void ParticleState::order_by_id() {
 void ParticleState::change_population(const PopulationChange& change) {
     set_images({});
     const bool was_one_slab = slab_count() <= 1;
-    for (Column<double>* column : {&position_, &velocity_, &spin_, &force_, &torque_}) {
-        *column = renumbered(*column, change, 0.0, 4);
-    }
+    position_ = renumbered(position_, change, 0.0, 4);
+    motion_ = renumbered(motion_, change, 0.0, motion_row);
     loaded_ = renumbered(loaded_, change);
     mass_ = renumbered(mass_, change);
     species_ = renumbered(species_, change);
@@ -206,21 +212,14 @@ PopulationChange ParticleState::departure_of(std::span<const Index> leaving) con
 }
 
 ParticleView ParticleState::view() {
-    return {position_.data(),
-            velocity_.data(),
-            spin_.data(),
-            force_.data(),
-            torque_.data(),
-            loaded_.data(),
-            size_,
-            loaded_.size()};
+    return {position_.data(), motion_.data(), loaded_.data(), size_, loaded_.size()};
 }
 
 void ParticleState::set_driven(Index slot, bool driven) {
     const double r = radius(slot);
     const double mass = mass_[slot];
-    velocity_[4 * std::size_t{slot} + 3] = driven ? 0.0 : 1.0 / mass;
-    torque_[4 * std::size_t{slot} + 3] = driven ? 0.0 : inverse_inertia_of(mass, r);
+    packet(slot, velocity_packet)[3] = driven ? 0.0 : 1.0 / mass;
+    packet(slot, torque_packet)[3] = driven ? 0.0 : inverse_inertia_of(mass, r);
     has_driven_ = has_driven_ || driven;
 }
 
@@ -234,12 +233,7 @@ void ParticleState::set_images(std::vector<Image> images) {
     images_ = std::move(images);
     const std::size_t rows = row_count();
     const std::size_t padded = (rows + 7) / 8 * 8;
-    for (Column<double>* column : {&position_, &velocity_, &spin_, &force_, &torque_}) {
-        column->resize(4 * std::size_t{size_});
-        column->resize(4 * padded, 0.0);
-    }
-    loaded_.resize(size_);
-    loaded_.resize(padded, 0);
+    resize_rows(size_, padded);
 }
 
 void ParticleState::renew_images(double margin) {
@@ -266,12 +260,11 @@ void ParticleState::renew_images(double margin) {
 void ParticleState::move_images() {
     for (Index row = size_; row < row_count(); ++row) {
         const Image& image = images_[row - size_];
-        const std::size_t from = 4 * std::size_t{image.owner};
-        const std::size_t to = 4 * std::size_t{row};
-        std::copy_n(velocity_.data() + from, 4, velocity_.data() + to);
-        std::copy_n(spin_.data() + from, 4, spin_.data() + to);
-        put_packet(position_, row, position(image.owner) + image.shift, radius(image.owner));
-        torque_[to + 3] = torque_[from + 3];
+        for (const MotionPacket which : {velocity_packet, spin_packet}) {
+            std::copy_n(packet(image.owner, which), 4, packet(row, which));
+        }
+        set_packet(place(row), position(image.owner) + image.shift, radius(image.owner));
+        packet(row, torque_packet)[3] = packet(image.owner, torque_packet)[3];
     }
 }
 
@@ -281,10 +274,11 @@ void ParticleState::fold_images() {
             continue;
         }
         const Index owner = images_[row - size_].owner;
-        set_vector(force_, owner, force(owner) + force(row));
-        set_vector(torque_, owner, torque(owner) + torque(row));
-        set_vector(force_, row, {});
-        set_vector(torque_, row, {});
+        for (const MotionPacket load : {force_packet, torque_packet}) {
+            set_vector(packet(owner, load),
+                       vector(packet(owner, load)) + vector(packet(row, load)));
+            set_vector(packet(row, load), {});
+        }
         loaded_[owner] = 1;
         loaded_[row] = 0;
     }
@@ -298,36 +292,40 @@ void ParticleState::scale_inertia(Index slot, double factor) {
     const double inverse = 1.0 / (factor * mass_[slot]);
     const double r = radius(slot);
     const double ratio = inverse / old;  // keeps m v and I omega
-    double* v = velocity_.data() + 4 * static_cast<std::size_t>(slot);
-    double* w = spin_.data() + 4 * static_cast<std::size_t>(slot);
+    double* v = packet(slot, velocity_packet);
+    double* w = packet(slot, spin_packet);
     for (int c = 0; c < 3; ++c) {
         v[c] *= ratio;
         w[c] *= ratio;
     }
     v[3] = inverse;
-    torque_[4 * std::size_t{slot} + 3] = inverse / (0.4 * r * r);
+    packet(slot, torque_packet)[3] = inverse / (0.4 * r * r);
 }
 
 void ParticleState::load_weight(const Vec3& gravity) {
     for (Index slot = 0; slot < size_; ++slot) {
-        put_packet(force_, slot, mass_[slot] * gravity, 0.0);
+        set_vector(packet(slot, force_packet), mass_[slot] * gravity);
         loaded_[slot] = 1;
     }
 }
 
 void ParticleState::add_weight(const Vec3& gravity) {
     for (Index slot = 0; slot < size_; ++slot) {
-        put_packet(force_, slot, force(slot) + mass_[slot] * gravity, 0.0);
+        set_vector(packet(slot, force_packet), force(slot) + mass_[slot] * gravity);
         loaded_[slot] = 1;
     }
 }
 
 void ParticleState::save(Archive& archive) const {
     archive.put("particles/position", plain(position_));
-    archive.put("particles/velocity", plain(velocity_));
-    archive.put("particles/spin", plain(spin_));
-    archive.put("particles/force", plain(force_));
-    archive.put("particles/torque", plain(torque_));
+    for (const auto& [name, which] : motion_names) {
+        std::vector<double> packets;
+        packets.reserve(position_.size());
+        for (std::size_t at = which; at < motion_.size(); at += motion_row) {
+            packets.insert(packets.end(), &motion_[at], &motion_[at] + 4);
+        }
+        archive.put(name, std::move(packets));
+    }
     archive.put("particles/loaded", std::vector<std::uint8_t>(loaded_.begin(), loaded_.end()));
     archive.put("particles/id", std::vector<std::uint64_t>(id_.begin(), id_.end()));
     archive.put("particles/species", species_);
@@ -377,10 +375,12 @@ void ParticleState::load(const Archive& archive, bool may_differ) {
         load_images(archive);
     }
     restore(position_, archive, "particles/position");
-    restore(velocity_, archive, "particles/velocity");
-    restore(spin_, archive, "particles/spin");
-    restore(force_, archive, "particles/force");
-    restore(torque_, archive, "particles/torque");
+    for (const auto& [name, which] : motion_names) {
+        const auto& packets = archive.get<double>(name, position_.size());
+        for (std::size_t row = 0; 4 * row < packets.size(); ++row) {
+            std::copy_n(&packets[4 * row], 4, &motion_[motion_row * row + which]);
+        }
+    }
     restore(loaded_, archive, "particles/loaded");
     for (Index slot = 0; slot < size_; ++slot) {
         Archive::require(species[slot] < density_.size(), "particles/species");

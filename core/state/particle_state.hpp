@@ -11,6 +11,7 @@
 #include "core/state/periodic_box.hpp"
 #include "core/state/population.hpp"
 
+#include <algorithm>
 #include <span>
 
 namespace grainbench {
@@ -29,23 +30,23 @@ public:
 
     ParticleView view();
 
-    Vec3 position(Index slot) const { return vector(position_, slot); }
+    Vec3 position(Index slot) const { return vector(place(slot)); }
 
-    double radius(Index slot) const { return position_[4 * std::size_t{slot} + 3]; }
+    double radius(Index slot) const { return place(slot)[3]; }
 
     /// At the half step that the last cycle used [m/s].
-    Vec3 velocity(Index slot) const { return vector(velocity_, slot); }
+    Vec3 velocity(Index slot) const { return vector(packet(slot, velocity_packet)); }
 
-    Vec3 spin(Index slot) const { return vector(spin_, slot); }
+    Vec3 spin(Index slot) const { return vector(packet(slot, spin_packet)); }
 
     /// Of all contacts, and gravity where inertia is scaled [N].
-    Vec3 force(Index slot) const { return vector(force_, slot); }
+    Vec3 force(Index slot) const { return vector(packet(slot, force_packet)); }
 
-    Vec3 torque(Index slot) const { return vector(torque_, slot); }
+    Vec3 torque(Index slot) const { return vector(packet(slot, torque_packet)); }
 
-    double inverse_mass(Index slot) const { return velocity_[4 * std::size_t{slot} + 3]; }
+    double inverse_mass(Index slot) const { return packet(slot, velocity_packet)[3]; }
 
-    double inverse_inertia(Index slot) const { return torque_[4 * std::size_t{slot} + 3]; }
+    double inverse_inertia(Index slot) const { return packet(slot, torque_packet)[3]; }
 
     Index species(Index slot) const { return species_[slot]; }
 
@@ -91,11 +92,13 @@ public:
 
     void set_driven(Index slot, bool driven);
 
-    void set_position(Index slot, const Vec3& position) { set_vector(position_, slot, position); }
+    void set_position(Index slot, const Vec3& position) { set_vector(place(slot), position); }
 
-    void set_velocity(Index slot, const Vec3& velocity) { set_vector(velocity_, slot, velocity); }
+    void set_velocity(Index slot, const Vec3& velocity) {
+        set_vector(packet(slot, velocity_packet), velocity);
+    }
 
-    void set_spin(Index slot, const Vec3& spin) { set_vector(spin_, slot, spin); }
+    void set_spin(Index slot, const Vec3& spin) { set_vector(packet(slot, spin_packet), spin); }
 
     /// Rows with particles or images of particles beyond periodic boundaries; images come last.
     Index row_count() const { return size_ + static_cast<Index>(images_.size()); }
@@ -113,6 +116,9 @@ public:
     /// Puts all particles into the periodic box and makes the images of those that are within
     /// `margin` [m] of its ends.
     void renew_images(double margin);
+
+    /// Lets all particles count as loaded, whether they are or not.
+    void mark_all_loaded() { std::fill_n(loaded_.begin(), row_count(), std::uint8_t{1}); }
 
     /// Lets images follow their owners.
     void move_images();
@@ -143,20 +149,34 @@ public:
     void load(const Archive& archive, bool may_differ = false);
 
 private:
-    static Vec3 vector(const Column<double>& packets, Index slot) {
-        const double* p = packets.data() + 4 * static_cast<std::size_t>(slot);
-        return {p[0], p[1], p[2]};
+    double* place(Index slot) { return position_.data() + 4 * std::size_t{slot}; }
+
+    const double* place(Index slot) const { return position_.data() + 4 * std::size_t{slot}; }
+
+    double* packet(Index slot, MotionPacket which) {
+        return motion_.data() + motion_row * slot + which;
     }
 
-    static void set_vector(Column<double>& packets, Index slot, const Vec3& v) {
-        double* p = packets.data() + 4 * static_cast<std::size_t>(slot);
-        p[0] = v.x;
-        p[1] = v.y;
-        p[2] = v.z;
+    const double* packet(Index slot, MotionPacket which) const {
+        return motion_.data() + motion_row * slot + which;
+    }
+
+    static Vec3 vector(const double* packet) { return {packet[0], packet[1], packet[2]}; }
+
+    static void set_vector(double* packet, const Vec3& v) {
+        packet[0] = v.x;
+        packet[1] = v.y;
+        packet[2] = v.z;
+    }
+
+    static void set_packet(double* packet, const Vec3& v, double fourth) {
+        set_vector(packet, v);
+        packet[3] = fourth;
     }
 
     void put(Index slot, const Sphere& sphere, std::int64_t id);
     void resize(Index size);
+    void resize_rows(std::size_t kept, std::size_t rows);
     void set_images(std::vector<Image> images);
     void load_images(const Archive& archive);
     void order_by_id();
@@ -169,7 +189,8 @@ private:
     std::vector<double> wraps_;  ///< [1] by slot and axis: periods put back; empty if not periodic
     double smallest_radius_ = 0.0;
     double largest_radius_ = 0.0;
-    Column<double> position_, velocity_, spin_, force_, torque_;
+    Column<double> position_;  ///< packets
+    Column<double> motion_;    ///< rows of packets, see MotionPacket
     Column<std::uint8_t> loaded_;
     std::vector<double> density_;  ///< [kg/m^3] by species
     std::int64_t last_id_ = 0;

@@ -65,11 +65,11 @@ Bytes moved(const Kernels& kernels,
     RandomParticles p(count, count);
     for (Index n = 0; n < count; ++n) {
         if (n % 3 != 0) {
-            std::fill_n(&p.force[4 * std::size_t{n}], 3, 0.0);
+            std::fill_n(&p.motion[motion_row * n + force_packet], 3, 0.0);
             p.loaded[n] = 0;
         }
         if (n % 3 != 0 || !turns) {
-            std::fill_n(&p.torque[4 * std::size_t{n}], 3, 0.0);
+            std::fill_n(&p.motion[motion_row * n + torque_packet], 3, 0.0);
         }
     }
     MotionPass pass{.particles = p.view(),
@@ -86,10 +86,7 @@ Bytes moved(const Kernels& kernels,
     (kernels.*move)(pass);
     return Bytes()
         .add(p.position)
-        .add(p.velocity)
-        .add(p.spin)
-        .add(p.force)
-        .add(p.torque)
+        .add(p.motion)
         .add(p.loaded)
         .add(&pass.fastest_square, 1)
         .add(pass.velocity_sum, 3);
@@ -370,9 +367,10 @@ Bytes pair_forces(const Kernels& kernels,
                        .j = pairs.j.data(),
                        .touching = pairs.touching.data(),
                        .touching_count = touching,
+                       .marks_loaded = true,
                        .rows = rows.data(),
                        .records = records ? record.data() : nullptr});
-    return Bytes().add(p.force).add(p.torque).add(p.loaded).add(rows).add(record);
+    return Bytes().add(p.motion).add(p.loaded).add(rows).add(record);
 }
 
 TEST(InstructionSets, GiveTheSameForcesBetweenParticles) {
@@ -425,7 +423,7 @@ Bytes wall_forces(const Kernels& kernels,
                        .rows = rows.data(),
                        .force = force.data(),
                        .records = records ? record.data() : nullptr});
-    return Bytes().add(p.force).add(p.torque).add(p.loaded).add(rows).add(force).add(record);
+    return Bytes().add(p.motion).add(p.loaded).add(rows).add(force).add(record);
 }
 
 TEST(InstructionSets, GiveTheSameForcesOnWalls) {

@@ -77,37 +77,32 @@ double between(std::mt19937_64& random, double low, double high) {
 RandomParticles::RandomParticles(Index particle_count, std::uint64_t seed) : count(particle_count) {
     std::mt19937_64 random(seed);
     const std::size_t padded = (static_cast<std::size_t>(count) + 7) / 8 * 8;
-    for (Column<double>* column : {&position, &velocity, &spin, &force, &torque}) {
-        column->assign(4 * padded, 0.0);
-    }
+    position.assign(4 * padded, 0.0);
+    motion.assign(motion_row * padded, 0.0);
     loaded.assign(padded, 0);
-    for (std::size_t k = 0; k < 4 * static_cast<std::size_t>(count); k += 4) {
+    for (std::size_t row = 0; row < count; ++row) {
+        double* const place = &position[4 * row];
+        double* const packets = &motion[motion_row * row];
         for (std::size_t c = 0; c < 3; ++c) {
-            position[k + c] = between(random, -0.004, 0.004);
-            velocity[k + c] = between(random, -2.0, 2.0);
-            spin[k + c] = between(random, -100.0, 100.0);
-            force[k + c] = between(random, -1.0, 1.0);
-            torque[k + c] = between(random, -1e-3, 1e-3);
+            place[c] = between(random, -0.004, 0.004);
+            packets[velocity_packet + c] = between(random, -2.0, 2.0);
+            packets[spin_packet + c] = between(random, -100.0, 100.0);
+            packets[force_packet + c] = between(random, -1.0, 1.0);
+            packets[torque_packet + c] = between(random, -1e-3, 1e-3);
         }
-        position[k + 3] = between(random, 0.003, 0.006);
-        const double inverse = 1.0 / (6e3 * position[k + 3] * position[k + 3] * position[k + 3]);
-        velocity[k + 3] = inverse;
-        spin[k + 3] = static_cast<double>(random() % 2);
-        torque[k + 3] = inverse / (0.4 * position[k + 3] * position[k + 3]);
-        loaded[k / 4] = 1;
+        const double radius = between(random, 0.003, 0.006);
+        const double inverse = 1.0 / (6e3 * radius * radius * radius);
+        place[3] = radius;
+        packets[velocity_packet + 3] = inverse;
+        packets[spin_packet + 3] = static_cast<double>(random() % 2);
+        packets[torque_packet + 3] = inverse / (0.4 * radius * radius);
+        loaded[row] = 1;
     }
     std::copy_n(&position[0], 3, &position[4]);
 }
 
 ParticleView RandomParticles::view() {
-    return {position.data(),
-            velocity.data(),
-            spin.data(),
-            force.data(),
-            torque.data(),
-            loaded.data(),
-            count,
-            loaded.size()};
+    return {position.data(), motion.data(), loaded.data(), count, loaded.size()};
 }
 
 RandomPairs::RandomPairs(Index particle_count, Index touching_count, std::uint64_t seed) {

@@ -19,7 +19,7 @@ struct RandomParticles {
     ParticleView view();
 
     Index count = 0;
-    Column<double> position, velocity, spin, force, torque;
+    Column<double> position, motion;
     Column<std::uint8_t> loaded;
 };
 

@@ -157,9 +157,8 @@ constexpr double timestep = 1e-6;
 class Probe {
 public:
     explicit Probe(const Contact& contact) : table_(contact, Materials(scene())) {
-        for (Column<double>* column : {&position_, &velocity_, &spin_, &force_, &torque_}) {
-            column->assign(4 * std::size_t{8}, 0.0);
-        }
+        position_.assign(4 * std::size_t{8}, 0.0);
+        motion_.assign(motion_row * std::size_t{8}, 0.0);
         loaded_.assign(8, 0);
         rows_.assign(4 * std::size_t{history_packets(table_.history_size()) + 1}, 0.0);
     }
@@ -176,28 +175,24 @@ public:
         }
         put(0, i, radius_i);
         put(1, j, radius_j);
-        std::fill(force_.begin(), force_.end(), 0.0);
-        std::fill(torque_.begin(), torque_.end(), 0.0);
         const Index first = 0;
         const Index second = 1;
         const TouchingContact touching(0, !acts_);
         acts_ = true;
-        kernels_for("scalar").pair_pass({.particles = {position_.data(),
-                                                       velocity_.data(),
-                                                       spin_.data(),
-                                                       force_.data(),
-                                                       torque_.data(),
-                                                       loaded_.data(),
-                                                       2,
-                                                       8},
-                                         .laws = table_.view(timestep),
-                                         .i = &first,
-                                         .j = &second,
-                                         .touching = &touching,
-                                         .touching_count = 1,
-                                         .rows = rows_.data(),
-                                         .records = nullptr});
-        return {vector(force_, 0), vector(force_, 1), vector(torque_, 0), vector(torque_, 1)};
+        kernels_for("scalar").pair_pass(
+            {.particles = {position_.data(), motion_.data(), loaded_.data(), 2, 8},
+             .laws = table_.view(timestep),
+             .i = &first,
+             .j = &second,
+             .touching = &touching,
+             .touching_count = 1,
+             .marks_loaded = true,
+             .rows = rows_.data(),
+             .records = nullptr});
+        return {vector(0, force_packet),
+                vector(1, force_packet),
+                vector(0, torque_packet),
+                vector(1, torque_packet)};
     }
 
 private:
@@ -207,25 +202,29 @@ private:
         return scene;
     }
 
-    static Vec3 vector(const Column<double>& column, std::size_t row) {
-        return {column[4 * row], column[4 * row + 1], column[4 * row + 2]};
+    Vec3 vector(std::size_t row, MotionPacket which) const {
+        const double* packet = &motion_[motion_row * row + which];
+        return {packet[0], packet[1], packet[2]};
     }
 
     void put(std::size_t row, const Body& body, double radius) {
-        const auto set = [&](Column<double>& column, const Vec3& v, double w) {
-            column[4 * row] = v.x;
-            column[4 * row + 1] = v.y;
-            column[4 * row + 2] = v.z;
-            column[4 * row + 3] = w;
+        const auto set = [](double* packet, const Vec3& v, double w) {
+            packet[0] = v.x;
+            packet[1] = v.y;
+            packet[2] = v.z;
+            packet[3] = w;
         };
         const double mass = 4.0 / 3.0 * pi * radius * radius * radius * 1500.0;
-        set(position_, body.position, radius);
-        set(velocity_, body.velocity, 1.0 / mass);
-        set(spin_, body.spin, static_cast<double>(row));
+        double* const motion = &motion_[motion_row * row];
+        set(&position_[4 * row], body.position, radius);
+        set(motion + velocity_packet, body.velocity, 1.0 / mass);
+        set(motion + spin_packet, body.spin, static_cast<double>(row));
+        set(motion + force_packet, {}, 0.0);
+        set(motion + torque_packet, {}, 1.0 / (0.4 * mass * radius * radius));
     }
 
     ContactTable table_;
-    Column<double> position_, velocity_, spin_, force_, torque_, rows_;
+    Column<double> position_, motion_, rows_;
     Column<std::uint8_t> loaded_;
     bool acts_ = false;
 };

@@ -48,7 +48,7 @@ public:
                 *speed = std::abs(x) > half_edge ? -std::copysign(*speed, x) : *speed;
             }
             fastest = std::max(fastest, norm(v));
-            set_velocity(particles_, slot, v + drift_);
+            particles_.set_velocity(slot, v + drift_);
             shift(particles_, slot, timestep * (v + drift_));
         }
         frame_ += timestep * drift_;

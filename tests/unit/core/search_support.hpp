@@ -76,11 +76,4 @@ inline void shift(ParticleState& particles, Index slot, const Vec3& by) {
     p[2] += by.z;
 }
 
-inline void set_velocity(ParticleState& particles, Index slot, const Vec3& v) {
-    double* p = particles.view().velocity + 4 * static_cast<std::size_t>(slot);
-    p[0] = v.x;
-    p[1] = v.y;
-    p[2] = v.z;
-}
-
 }  // namespace grainbench

@@ -253,8 +253,10 @@ TEST(ParticleState, PadsItsColumnsWithRowsThatNeverMoveOrCount) {
         EXPECT_DOUBLE_EQ(pass.velocity_sum[2], -1.0 * count);
         EXPECT_DOUBLE_EQ(pass.fastest_square, 0.25);
         for (std::size_t k = 4 * view.count; k < 4 * view.padded_count; ++k) {
-            EXPECT_EQ(view.velocity[k], 0.0);
             EXPECT_EQ(view.position[k], 0.0);
+        }
+        for (std::size_t k = motion_row * view.count; k < motion_row * view.padded_count; ++k) {
+            EXPECT_EQ(view.motion[k], 0.0);
         }
     }
 }
