@@ -1,7 +1,7 @@
 #include "core/contact/contact_objects.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <bit>
 
 namespace grainbench {
 
@@ -30,6 +30,7 @@ void ContactObjects::renew(const PairList& from,
     rows_.assign(stride() * list_.i.size(), 0.0);
     touching_.resize(list_.i.size());
     touching_count_ = 0;
+    shares_.clear();
     if (owner.are_trivial()) {
         carry_over(count, [](Index j) { return j; });
     } else {
@@ -121,6 +122,7 @@ Renumbered ContactObjects::renumber(const PopulationChange& change,
         }
     }
     touching_count_ = result.touching_before.size();
+    shares_.clear();
     forget_before();
     return result;
 }
@@ -142,32 +144,43 @@ void ContactObjects::forget_before() {
 }
 
 bool ContactObjects::set_touching(std::span<const std::uint64_t> now, const Workers& workers) {
-    constexpr std::size_t part_size = 128;  // words: enough work to be worth a thread
-    const std::size_t parts = (now.size() + part_size - 1) / part_size;
-    const auto words_of = [&](std::size_t part) {
-        return std::pair{part * part_size, std::min(now.size(), (part + 1) * part_size)};
+    constexpr std::size_t share_size = 128;  // words: enough work to be worth a thread
+    shares_.resize((now.size() + share_size - 1) / share_size);
+    listed_.resize(now.size());
+    const auto words_of = [&](std::size_t share) {
+        return std::pair{share * share_size, std::min(now.size(), (share + 1) * share_size)};
     };
-    part_start_.assign(parts + 1, 0);
-    part_changed_.assign(parts, 0);
-    workers.for_each(parts, [&](std::size_t part) {
-        const auto [first, last] = words_of(part);
-        std::size_t count = 0;
-        bool changed = false;
-        for (std::size_t w = first; w < last; ++w) {
-            count += static_cast<std::size_t>(__builtin_popcountll(now[w]));
-            changed = changed || acting_[w] != now[w];
+    workers.for_each(shares_.size(), [&](std::size_t k) {
+        Share& share = shares_[k];
+        const auto [first, last] = words_of(k);
+        const auto is_now = [&](const std::vector<std::uint64_t>& words) {
+            return std::equal(now.data() + first, now.data() + last, words.data() + first);
+        };
+        share.has_changed = !is_now(acting_);
+        share.is_listed = share.is_listed && !share.has_changed && is_now(listed_);
+        if (!share.is_listed) {
+            share.count = 0;
+            for (std::size_t w = first; w < last; ++w) {
+                share.count += static_cast<std::size_t>(std::popcount(now[w]));
+            }
         }
-        part_start_[part + 1] = count;
-        part_changed_[part] = changed ? 1 : 0;
     });
-    std::partial_sum(part_start_.begin(), part_start_.end(), part_start_.begin());
-    touching_count_ = part_start_.back();
-    workers.for_each(parts, [&](std::size_t part) {
-        std::size_t next = part_start_[part];
-        const auto [first_word, last_word] = words_of(part);
+    touching_count_ = 0;
+    for (Share& share : shares_) {
+        share.is_listed = share.is_listed && share.first == touching_count_;
+        share.first = touching_count_;
+        touching_count_ += share.count;
+    }
+    workers.for_each(shares_.size(), [&](std::size_t k) {
+        Share& share = shares_[k];
+        if (share.is_listed) {
+            return;
+        }
+        std::size_t next = share.first;
+        const auto [first_word, last_word] = words_of(k);
         for (std::size_t w = first_word; w < last_word; ++w) {
             const std::uint64_t before = acting_[w];
-            acting_[w] = now[w];
+            acting_[w] = listed_[w] = now[w];
             for_each_bit(before & ~now[w], 64 * w, [&](Index place) {
                 std::fill_n(row(place), stride(), 0.0);
             });
@@ -175,8 +188,10 @@ bool ContactObjects::set_touching(std::span<const std::uint64_t> now, const Work
                 touching_[next++] = TouchingContact(place, (before >> (place % 64) & 1) == 0);
             });
         }
+        share.is_listed = !share.has_changed;
     });
-    return std::find(part_changed_.begin(), part_changed_.end(), 1) != part_changed_.end();
+    return std::any_of(
+        shares_.begin(), shares_.end(), [](const Share& share) { return share.has_changed; });
 }
 
 void ContactObjects::hand_over(Index from, Index to) {
@@ -222,6 +237,7 @@ void ContactObjects::load(const Archive& archive,
     rows_.assign(rows.begin(), rows.end());
     touching_.resize(list_.i.size());
     touching_count_ = 0;
+    shares_.clear();
     for_each_bit(acting_, [&](Index place) {
         touching_[touching_count_++] = TouchingContact(place, false);
     });

@@ -105,6 +105,14 @@ public:
               const RowOwners& owner = {});
 
 private:
+    /// A part of the words, and where its touching objects stand among all.
+    struct Share {
+        std::size_t first = 0;
+        std::size_t count = 0;
+        bool has_changed = false;
+        bool is_listed = false;  ///< in touching_, and none of them new
+    };
+
     template <class Owner>
     void carry_over(Index count, const Owner& owner);
 
@@ -121,8 +129,8 @@ private:
     Column<double> rows_;
     Column<TouchingContact> touching_;
     std::size_t touching_count_ = 0;
-    std::vector<std::size_t> part_start_;  ///< by part of the words: first touching object
-    std::vector<std::uint8_t> part_changed_;
+    std::vector<std::uint64_t> listed_;  ///< bit by object: stands in touching_
+    std::vector<Share> shares_;          ///< empty where touching_ is yet to be listed
     PairList list_before_;
     std::vector<std::uint64_t> acting_before_;
     Column<double> rows_before_;
