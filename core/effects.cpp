@@ -257,6 +257,9 @@ private:
         add_idle(contact, contact.rolling, &PairContact::rolling, pointer + "/rolling");
         add_idle(contact, contact.twisting, &PairContact::twisting, pointer + "/twisting");
         add_idle(contact, contact.cohesion, &PairContact::cohesion, pointer + "/cohesion");
+        if (contact.lever_arm == LeverArm::radius && !contact.friction && !contact.damping) {
+            add(pointer + "/lever_arm", "no force acts along the contact plane");
+        }
     }
 
     /// A law whose strength is 0 in the scene and in all pairs.

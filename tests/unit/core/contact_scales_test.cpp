@@ -166,5 +166,17 @@ TEST(Effects, FrictionWithoutShearStiffnessIsIdle) {
                 testing::ElementsAre(Field(&IdleEffect::pointer, "/contact/friction")));
 }
 
+TEST(Effects, ALeverWithoutAForceIsIdle) {
+    Scene scene = example();
+    scene.contact.lever_arm = LeverArm::radius;
+    EXPECT_THAT(effects_of(scene),
+                testing::Contains(Field(&Effect::pointer, "/contact/lever_arm")));
+    EXPECT_THAT(idle_effects(scene), IsEmpty());
+    scene.contact.friction.reset();
+    scene.contact.damping.reset();
+    EXPECT_THAT(idle_effects(scene),
+                testing::ElementsAre(Field(&IdleEffect::pointer, "/contact/lever_arm")));
+}
+
 }  // namespace
 }  // namespace grainbench
