@@ -333,8 +333,11 @@ Range range_of(const std::optional<Range>& asked, const std::vector<double>& val
     if (*low < *high) {
         return {*low, *high};
     }
+    if (*low == 0.0) {
+        return {0.0, 1.0};  // what is zero at the start, a time or a speed, is never negative
+    }
     // One value: a scale around it.
-    const double room = *low == 0.0 ? 1.0 : 0.5 * std::abs(*low);
+    const double room = 0.5 * std::abs(*low);
     return {*low - room, *low + room};
 }
 
