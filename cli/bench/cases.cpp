@@ -241,19 +241,42 @@ std::vector<BenchCase> further_effects() {
     mindlin.damping = RestitutionDamping::Params{0.9};
     Contact adhesive = mindlin;
     adhesive.normal = JkrAdhesion::Params{1e-4};
+    Contact yielding = spring(WaltonBraunSpring::Params{0.9}, stiffness);
+    yielding.friction = example_friction();
+    Contact everything = twisting;
+    everything.cohesion = cohesive.cohesion;
+    Contact cohesive_mindlin = mindlin;
+    cohesive_mindlin.cohesion = cohesive.cohesion;
+    Contact turning_mindlin = mindlin;
+    turning_mindlin.rolling = twisting.rolling;
+    turning_mindlin.twisting = twisting.twisting;
+    Contact turning_adhesive = adhesive;
+    turning_adhesive.rolling = twisting.rolling;
+    turning_adhesive.twisting = twisting.twisting;
     return {
         effects_case("walton_braun_spring",
                      "latching spring alone",
                      spring(WaltonBraunSpring::Params{0.9}, stiffness)),
+        effects_case("walton_braun_with_friction", "the same with friction", yielding),
         effects_case(
             "linear_with_cohesion", "absolute spring, friction, dashpots, cohesion", cohesive),
         effects_case("linear_with_rolling",
                      "absolute spring, friction, dashpots, rolling resistance",
                      rolling),
         effects_case("linear_with_rolling_and_twisting", "the same with twisting", twisting),
+        effects_case("linear_with_cohesion_rolling_and_twisting",
+                     "the same with cohesion: all that linear springs allow",
+                     everything),
         effects_case("hertz_spring", "Hertz's spheres without friction or dashpots", hertz),
         effects_case("hertz_mindlin", "the same with friction and dashpots", mindlin),
-        effects_case("jkr_adhesion", "the same with adhesion", adhesive),
+        effects_case("hertz_mindlin_with_cohesion", "the same with cohesion", cohesive_mindlin),
+        effects_case("hertz_mindlin_with_rolling_and_twisting",
+                     "Hertz, Mindlin, dashpots, rolling resistance, twisting",
+                     turning_mindlin),
+        effects_case("jkr_adhesion", "Hertz, Mindlin, dashpots, adhesion", adhesive),
+        effects_case("jkr_adhesion_with_rolling_and_twisting",
+                     "the same with rolling resistance and twisting",
+                     turning_adhesive),
     };
 }
 
