@@ -75,10 +75,12 @@ struct PairContact {
     }
 };
 
-/// How far from a centre the force along the contact plane acts: at the contact point, which is in
-/// the middle of the overlap (R - delta / 2, R + half the gap where only cohesion acts), or at the
-/// radius R, as for rigid spheres (R >> delta) and as in LAMMPS. Levers that end in one point keep
-/// the angular momentum of a pair; those of length R change it by delta n x F a second.
+/// How far from a centre the force along the contact plane acts [m], in the moments -r n x F of
+/// both bodies (F [N] on j, n [1] from i to j) and in their sliding velocity alike, so that energy
+/// is kept: r = R - delta / 2, the contact point in the middle of the overlap delta (physics
+/// reference 1.1; R + half the gap where only cohesion acts), or r = R, as for rigid spheres
+/// (R >> delta) and in LAMMPS (pair style gran). Levers that end in one point keep the angular
+/// momentum of a pair; those of length R change it by -delta n x F [N m].
 enum class LeverArm { contact_point, radius };
 
 template <>

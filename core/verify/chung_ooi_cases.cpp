@@ -263,7 +263,7 @@ void test_5_at_contact_point(Checks& checks) {
                "1",
                spin,
                impact.radius * after(scene).spin.y / (mu * v_n),
-               relative(1e-3, spin, "it sticks for some steps at first"));
+               relative(1e-6, spin, "five digits of the mean overlap, some steps that stick"));
 }
 
 void check_spinning(Checks& checks, const Ball& ball, double spin, const std::string& at) {
