@@ -334,32 +334,30 @@ GRAINBENCH_FLATTEN void pair_pass(const PairPass& pass) {
         }
 
         const ForceOnJ force(laws, load, g);
-        alignas(64) double forces[4 * width];
-        store_packets(force.whole, Pack{}, forces);
         // Lane by lane, so that sums are in the order of the contacts whatever the width.
+        const auto loads_of = [&](Index n) { return p.motion + motion_row * n + force_packet; };
         if (laws.need(Needs::spin)) {
             // Levers and force give -r_i n x F on i and -r_j n x F on j.
             const Vec3Of<Pack> turning = cross(g.normal, force.tangential);
-            alignas(64) double torques_i[4 * width];
-            alignas(64) double torques_j[4 * width];
             Vec3Of<Pack> on_i = b.lever_i * turning;
             Vec3Of<Pack> on_j = b.lever_j * turning;
             if (laws.need(Needs::relative_spin)) {
                 on_i += load.moment;
                 on_j -= load.moment;
             }
-            store_packets(on_i, Pack{}, torques_i);
-            store_packets(on_j, Pack{}, torques_j);
+            const TwinPackets from_i(force.whole, on_i);
+            const TwinPackets to_j(force.whole, -on_j);
+            for_each_lane(block.valid, [&]<Index l>() {
+                from_i.subtract_from<l>(loads_of(row_i[l]));
+                to_j.add_to<l>(loads_of(row_j[l]));
+            });
+        } else {
+            alignas(64) double forces[4 * width];
+            store_packets(force.whole, Pack{}, forces);
             for (Index l = 0; l < block.valid; ++l) {
-                subtract_packet(p.motion + motion_row * row_i[l] + torque_packet,
-                                torques_i + 4 * l);
-                subtract_packet(p.motion + motion_row * row_j[l] + torque_packet,
-                                torques_j + 4 * l);
+                subtract_packet(loads_of(row_i[l]), forces + 4 * l);
+                add_packet(loads_of(row_j[l]), forces + 4 * l);
             }
-        }
-        for (Index l = 0; l < block.valid; ++l) {
-            subtract_packet(p.motion + motion_row * row_i[l] + force_packet, forces + 4 * l);
-            add_packet(p.motion + motion_row * row_j[l] + force_packet, forces + 4 * l);
         }
         if (pass.marks_loaded) {
             for (Index l = 0; l < block.valid; ++l) {
@@ -448,11 +446,11 @@ GRAINBENCH_FLATTEN void wall_pass(const WallPass& pass) {
         }
 
         const ForceOnJ force(laws, load, g);
+        const auto loads_of = [&](Index n) { return p.motion + motion_row * n + force_packet; };
         alignas(64) double forces[4 * width];
         store_packets(force.whole, Pack{}, forces);
         for (Index l = 0; l < block.valid; ++l) {
             Packet(forces + 4 * l).store(pass.force + 4 * static_cast<std::size_t>(first + l));
-            subtract_packet(p.motion + motion_row * row[l] + force_packet, forces + 4 * l);
             p.loaded[row[l]] = 1;
         }
         if (laws.need(Needs::spin)) {
@@ -460,9 +458,12 @@ GRAINBENCH_FLATTEN void wall_pass(const WallPass& pass) {
             if (laws.need(Needs::relative_spin)) {
                 on_i += load.moment;
             }
-            store_packets(on_i, Pack{}, forces);
+            const TwinPackets from_i(force.whole, on_i);
+            for_each_lane(block.valid,
+                          [&]<Index l>() { from_i.subtract_from<l>(loads_of(row[l])); });
+        } else {
             for (Index l = 0; l < block.valid; ++l) {
-                subtract_packet(p.motion + motion_row * row[l] + torque_packet, forces + 4 * l);
+                subtract_packet(loads_of(row[l]), forces + 4 * l);
             }
         }
     }

@@ -14,6 +14,7 @@
 
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 
 // Passes are flattened: laws and helpers are one body with them, so that a block of contacts stays
 // in registers from load to store. Not under sanitizers, whose checks would multiply with it.
@@ -56,6 +57,8 @@ struct Pack {
     friend Pack operator+(Pack a, Pack b) { return hn::Add(a.v, b.v); }
 
     friend Pack operator-(Pack a, Pack b) { return hn::Sub(a.v, b.v); }
+
+    Pack operator-() const { return hn::Neg(v); }
 
     friend Pack operator*(Pack a, Pack b) { return hn::Mul(a.v, b.v); }
 
@@ -336,5 +339,86 @@ private:
 
     hn::Vec<Part> part_[4 / lanes];
 };
+
+/// Two packets in a row for each lane, {a, 0} and {b, 0}, that are added to what is in memory.
+class TwinPackets {
+public:
+#if HWY_MAX_BYTES == 64
+    // One vector is a row of both: nothing passes through memory on the way.
+    TwinPackets(const Vec3Of<Pack>& a, const Vec3Of<Pack>& b) : a_(a), b_(b) {}
+
+    template <Index lane>
+    void add_to(double* row) const {
+        store(GRAINBENCH_ISA::load(row) + of<lane>(), row);
+    }
+
+    template <Index lane>
+    void subtract_from(double* row) const {
+        store(GRAINBENCH_ISA::load(row) - of<lane>(), row);
+    }
+
+private:
+    /// Halves of packets: block n of vector p is of lane 2 n + p.
+    struct Halves {
+        hn::Vec<Tag> xy[2], z0[2];
+
+        explicit Halves(const Vec3Of<Pack>& v)
+            : xy{hn::InterleaveLower(Tag(), v.x.v, v.y.v),
+                 hn::InterleaveUpper(Tag(), v.x.v, v.y.v)},
+              z0{hn::InterleaveLower(Tag(), v.z.v, hn::Zero(Tag())),
+                 hn::InterleaveUpper(Tag(), v.z.v, hn::Zero(Tag()))} {}
+
+        /// {xy, z0} of lanes 0 to 3 or 4 to 7 of a parity.
+        template <Index lane>
+        __m512d four() const {
+            constexpr int blocks = lane < 4 ? 0x44 : 0xEE;
+            return _mm512_shuffle_f64x2(xy[lane % 2].raw, z0[lane % 2].raw, blocks);
+        }
+    };
+
+    template <Index lane>
+    Pack of() const {
+        constexpr int blocks = lane % 4 < 2 ? 0x88 : 0xDD;
+        return hn::Vec<Tag>{
+            _mm512_shuffle_f64x2(a_.template four<lane>(), b_.template four<lane>(), blocks)};
+    }
+
+    Halves a_, b_;
+#else
+    TwinPackets(const Vec3Of<Pack>& a, const Vec3Of<Pack>& b) {
+        store_packets(a, Pack{}, a_);
+        store_packets(b, Pack{}, b_);
+    }
+
+    template <Index lane>
+    void add_to(double* row) const {
+        (Packet(row) + Packet(a_ + 4 * lane)).store(row);
+        (Packet(row + 4) + Packet(b_ + 4 * lane)).store(row + 4);
+    }
+
+    template <Index lane>
+    void subtract_from(double* row) const {
+        (Packet(row) - Packet(a_ + 4 * lane)).store(row);
+        (Packet(row + 4) - Packet(b_ + 4 * lane)).store(row + 4);
+    }
+
+private:
+    alignas(64) double a_[4 * width], b_[4 * width];
+#endif
+};
+
+/// Calls act.template operator()<lane>() for the first `valid` lanes, ascending.
+template <class Act>
+[[gnu::always_inline]] inline void for_each_lane(Index valid, const Act& act) {
+    const auto for_all = [&]<Index... lane>(std::integer_sequence<Index, lane...>)
+        __attribute__((always_inline)) {
+        if (valid == width) {
+            (act.template operator()<lane>(), ...);
+        } else {
+            ((lane < valid ? act.template operator()<lane>() : void()), ...);
+        }
+    };
+    for_all(std::make_integer_sequence<Index, width>());
+}
 
 }  // namespace grainbench::GRAINBENCH_ISA
