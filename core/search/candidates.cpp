@@ -5,6 +5,37 @@
 
 namespace grainbench {
 
+namespace {
+
+struct PairColumns {
+    Column<Index>& i;
+    Column<Index>& j;
+};
+
+/// Puts the first `count` pairs of `from` in the order of their keys; equals stay in theirs.
+/// \param next work space
+void sort_by(const Column<Index>& key,
+             Index key_end,
+             std::size_t count,
+             const PairColumns& from,
+             const PairColumns& to,
+             std::vector<Index>& next) {
+    next.assign(std::size_t{key_end} + 1, 0);
+    for (std::size_t k = 0; k < count; ++k) {
+        ++next[key[k] + 1];
+    }
+    for (Index s = 0; s < key_end; ++s) {
+        next[s + 1] += next[s];
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+        const Index place = next[key[k]]++;
+        to.i[place] = from.i[k];
+        to.j[place] = from.j[k];
+    }
+}
+
+}  // namespace
+
 void PairList::load(const Archive& archive,
                     const std::string& i_name,
                     const std::string& j_name,
@@ -83,26 +114,14 @@ void CandidateFinder::sort_into_cells(const ParticleState& particles, double edg
 }
 
 void CandidateFinder::order_pairs(Index row_count, std::size_t found, PairList& pairs) {
-    row_start_.assign(static_cast<std::size_t>(row_count) + 1, 0);
-    for (std::size_t k = 0; k < found; ++k) {
-        ++row_start_[found_i_[k] + 1];
-    }
-    for (Index s = 0; s < row_count; ++s) {
-        row_start_[s + 1] += row_start_[s];
-    }
     pairs.count = static_cast<Index>(found);
     pairs.pad();
-    next_.assign(row_start_.begin(), row_start_.end() - 1);
-    for (std::size_t k = 0; k < found; ++k) {
-        // Few partners each: sorted as they come.
-        const Index first = row_start_[found_i_[k]];
-        Index place = next_[found_i_[k]]++;
-        pairs.i[place] = found_i_[k];
-        for (; place > first && pairs.j[place - 1] > found_j_[k]; --place) {
-            pairs.j[place] = pairs.j[place - 1];
-        }
-        pairs.j[place] = found_j_[k];
-    }
+    const PairColumns work{found_i_, found_j_};
+    const PairColumns result{pairs.i, pairs.j};
+    sort_by(work.j, row_count, found, work, result, next_);
+    sort_by(result.i, row_count, found, result, work, next_);
+    std::copy_n(work.i.begin(), found, result.i.begin());
+    std::copy_n(work.j.begin(), found, result.j.begin());
 }
 
 void CandidateFinder::find(const ParticleState& particles,
@@ -145,7 +164,7 @@ void CandidateFinder::release_work_space() {
     for (Column<double>* column : {&centre_[0], &centre_[1], &centre_[2], &radius_}) {
         release_if_large(*column);
     }
-    for (std::vector<Index>* column : {&cell_start_, &next_, &slot_, &row_start_}) {
+    for (std::vector<Index>* column : {&cell_start_, &next_, &slot_}) {
         release_if_large(*column);
     }
     release_if_large(cell_of_);

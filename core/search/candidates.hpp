@@ -109,7 +109,6 @@ private:
     Column<double> centre_[3];  ///< [m] by place
     Column<double> radius_;     ///< [m] by place
     Column<Index> found_i_, found_j_;
-    std::vector<Index> row_start_;
 };
 
 }  // namespace grainbench
