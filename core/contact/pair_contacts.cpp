@@ -1,6 +1,7 @@
 #include "core/contact/pair_contacts.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 
 namespace grainbench {
@@ -78,6 +79,7 @@ void PairContacts::change_population(const PopulationChange& change,
     candidates_.clear();
     candidates_.pad();
     within_.resize(objects_.list().words());
+    near_is_ahead_ = false;
     cut_into_slabs(after);
     clock_.expire(after);
 }
@@ -142,6 +144,7 @@ void PairContacts::renew_objects(const ParticleState& particles, const Kernels& 
     }
     objects_.renew(candidates_, {found_.data(), count}, RowOwners(particles));
     within_.resize(objects_.list().words());
+    near_is_ahead_ = false;
     cut_into_slabs(particles);
     just_renewed_ = true;
     ++renewals_;
@@ -186,12 +189,14 @@ void PairContacts::test(const ParticleState& particles,
                         const Kernels& kernels,
                         const Workers& workers) {
     constexpr Index part_size = 8192;  // pairs, a multiple of 64
-    const PairQuery all = query(particles, objects_.list(), 1.0, reach);
+    const bool near_only = !looks_ahead && near_is_all(reach);
+    const PairQuery all = query(particles, near_only ? near_ : objects_.list(), 1.0, reach);
+    std::vector<std::uint64_t>& within = near_only ? within_near_ : within_;
     double ahead = 0.0;
     if (looks_ahead) {
         clock_.look_ahead(particles.smallest_radius());
         ahead = clock_.settings().brute_force ? 1e300 : 2.0 * clock_.horizon();
-        near_.resize(within_.size());
+        ahead_.resize(within_.size());
     }
     workers.for_each((all.count + part_size - 1) / part_size, [&](std::size_t part) {
         const auto first = static_cast<Index>(part * part_size);
@@ -199,13 +204,47 @@ void PairContacts::test(const ParticleState& particles,
         of_part.i += first;
         of_part.j += first;
         of_part.count = std::min(part_size, all.count - first);
-        std::uint64_t* const within = within_.data() + first / 64;
+        std::uint64_t* const words = within.data() + first / 64;
         if (looks_ahead) {
-            kernels.test_pairs_ahead(of_part, ahead, within, near_.data() + first / 64);
+            kernels.test_pairs_ahead(of_part, ahead, words, ahead_.data() + first / 64);
         } else {
-            kernels.test_pairs(of_part, within);
+            kernels.test_pairs(of_part, words);
         }
     });
+    if (looks_ahead) {
+        list_near(ahead_);
+        near_is_ahead_ = true;
+        ahead_reach_ = reach;
+    } else if (near_only) {
+        std::fill(within_.begin(), within_.end(), 0);
+        for_each_bit(within_near_, [&](Index k) {
+            within_[near_place_[k] / 64] |= std::uint64_t{1} << (near_place_[k] % 64);
+        });
+    }
+}
+
+void PairContacts::list_near(std::span<const std::uint64_t> words) {
+    const PairList& list = objects_.list();
+    near_.count = 0;
+    for (const std::uint64_t word : words) {
+        near_.count += static_cast<Index>(std::popcount(word));
+    }
+    near_.pad();
+    near_place_.resize(near_.count);
+    within_near_.resize(near_.words());
+    Index k = 0;
+    for_each_bit(words, [&](Index place) {
+        near_place_[k] = place;
+        near_.i[k] = list.i[place];
+        near_.j[k++] = list.j[place];
+    });
+    near_is_ahead_ = false;
+}
+
+bool PairContacts::near_is_all(double reach) const {
+    // What touches must be put in its places afterwards: about as dear as a test.
+    return near_is_ahead_ && reach == ahead_reach_ && clock_.is_within_horizon() &&
+           near_.count + touching().size() < objects_.list().count;
 }
 
 bool PairContacts::find_touching(const ParticleState& particles,
@@ -240,6 +279,13 @@ std::size_t PairContacts::first_touching(std::size_t slab) const {
             return contact.place() < slab_start_[slab];
         });
     return static_cast<std::size_t>(first - touching().begin());
+}
+
+Index PairContacts::first_near(std::size_t slab) const {
+    const auto first = std::partition_point(near_place_.begin(),
+                                            near_place_.end(),
+                                            [&](Index place) { return place < slab_start_[slab]; });
+    return static_cast<Index>(first - near_place_.begin());
 }
 
 void PairContacts::add_forces(ParticleState& particles,
@@ -286,25 +332,21 @@ void PairContacts::add_steps(ParticleState& particles,
                              const StepSums& sums,
                              const Kernels& kernels,
                              const Workers& workers) {
-    found_.resize(std::max<std::size_t>(found_.size(), objects_.list().count));
+    if (touching_only) {
+        list_near(objects_.acting());
+    }
     const PairStepPass all{.particles = particles.view(),
                            .laws = table.view(0.0),
-                           .i = objects_.list().i.data(),
-                           .j = objects_.list().j.data(),
-                           .place = nullptr,
+                           .i = near_.i.data(),
+                           .j = near_.j.data(),
                            .count = 0,
                            .sums = sums};
     for_each_slab(workers, [&](std::size_t slab) {
-        const Index first = slab_start_[slab];
-        const Index last = slab_start_[slab + 1];
-        Index* const found = found_.data() + first;
-        Index* end = found;
-        for_each_bit(touching_only ? objects_.acting() : near_, first, last, [&](Index place) {
-            *end++ = place;
-        });
+        const Index first = first_near(slab);
         PairStepPass pass = all;
-        pass.place = found;
-        pass.count = static_cast<Index>(end - found);
+        pass.i += first;
+        pass.j += first;
+        pass.count = first_near(slab + 1) - first;
         kernels.add_pair_steps(pass);
     });
 }
@@ -332,6 +374,7 @@ void PairContacts::load(const Archive& archive, const ParticleState& particles) 
     candidates_.load(archive, "pairs/candidate_i", "pairs/candidate_j", size, rows, owner);
     objects_.load(archive, "pairs/objects", size, rows, owner);
     within_.assign(objects_.list().words(), 0);
+    near_is_ahead_ = false;
     cut_into_slabs(particles);
     const auto& records = archive.get<double>("pairs/records");
     records_.assign(records.begin(), records.end());

@@ -126,7 +126,12 @@ private:
                     double scale,
                     double extra) const;
 
-    /// Sets within_, and near_ if it looks ahead.
+    void list_near(std::span<const std::uint64_t> words);
+
+    /// Whether nothing but near_ can touch, and it is enough less than all.
+    bool near_is_all(double reach) const;
+
+    /// Sets within_; and near_ if it looks ahead.
     void test(const ParticleState& particles,
               double reach,
               bool looks_ahead,
@@ -139,13 +144,21 @@ private:
     /// First touching contact of a slab, or of those behind it.
     std::size_t first_touching(std::size_t slab) const;
 
+    /// The same of those in near_.
+    Index first_near(std::size_t slab) const;
+
     ListClock clock_;
     CandidateFinder finder_;
     PairList candidates_;
     ContactObjects objects_;
     Column<Index> found_;
-    std::vector<std::uint64_t> within_;  ///< bit by object
-    std::vector<std::uint64_t> near_;    ///< bit by object, of the last look-ahead
+    std::vector<std::uint64_t> within_;       ///< bit by object
+    std::vector<std::uint64_t> ahead_;        ///< bit by object, of the last look-ahead
+    PairList near_;                           ///< objects that count for the stable step
+    std::vector<Index> near_place_;           ///< of each of them in objects()
+    std::vector<std::uint64_t> within_near_;  ///< bit by pair of near_
+    bool near_is_ahead_ = false;  ///< near_ is what the last look-ahead found in objects()
+    double ahead_reach_ = 0.0;    ///< [m] of the last look-ahead
     bool just_renewed_ = false;
     std::vector<Index> slab_start_;  ///< by slab: first place; one more at the end
     Column<double> records_;

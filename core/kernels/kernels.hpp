@@ -222,9 +222,8 @@ struct StepSums {
 struct PairStepPass {
     ParticleView particles;
     LawView laws;
-    const Index* i;      ///< by place
-    const Index* j;      ///< by place
-    const Index* place;  ///< by contact
+    const Index* i;  ///< by contact
+    const Index* j;  ///< by contact
     Index count;
     StepSums sums;
 };

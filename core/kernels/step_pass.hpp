@@ -66,9 +66,9 @@ GRAINBENCH_FLATTEN void add_pair_steps(const PairStepPass& pass) {
         Index i[width];
         Index j[width];
         for (Index l = 0; l < width; ++l) {
-            const Index place = pass.place[first + (l < valid ? l : valid - 1)];
-            i[l] = pass.i[place];
-            j[l] = pass.j[place];
+            const Index contact = first + (l < valid ? l : valid - 1);
+            i[l] = pass.i[contact];
+            j[l] = pass.j[contact];
         }
         const auto of_i = [&](Index l) { return i[l]; };
         const auto of_j = [&](Index l) { return j[l]; };

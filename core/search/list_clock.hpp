@@ -54,6 +54,9 @@ public:
     /// Travel of one particle that the present look-ahead allows [m]; 0 if there is none.
     double horizon() const { return horizon_; }
 
+    /// Whether no particle can have travelled farther since the look-ahead, rounding included.
+    bool is_within_horizon() const { return ahead_travel_ <= (1.0 - 1e-6) * horizon_; }
+
     const SearchSettings& settings() const { return settings_; }
 
     /// True once the first lists exist.

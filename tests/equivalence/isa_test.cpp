@@ -469,13 +469,10 @@ Bytes step_sums(const Kernels& kernels, const LawChoice& choice, Index count, bo
     Column<double> shear(p.position.size(), 0.0);
     Column<double> normal(p.position.size(), 0.0);
     const StepSums sums{shear.data(), rotation_rules ? nullptr : normal.data()};
-    std::vector<Index> place(count);
-    std::iota(place.begin(), place.end(), Index{3});
     kernels.add_pair_steps({.particles = p.view(),
                             .laws = table.view(0.0),
-                            .i = pairs.i.data(),
-                            .j = pairs.j.data(),
-                            .place = place.data(),
+                            .i = pairs.i.data() + 3,
+                            .j = pairs.j.data() + 3,
                             .count = count,
                             .sums = sums});
     std::mt19937_64 random(seed);

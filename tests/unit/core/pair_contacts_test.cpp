@@ -27,8 +27,13 @@ Scene springs_only() {
 /// other; beside them what the lists should say, from brute force.
 class FlyingCloud {
 public:
-    FlyingCloud(const SearchSettings& settings, double speed, std::uint64_t seed)
-        : random_(seed), particles_(state_of(random_cloud(150, 3.0, half_edge, seed))) {
+    FlyingCloud(const SearchSettings& settings,
+                double speed,
+                std::uint64_t seed,
+                bool looks_ahead = false)
+        : looks_ahead_(looks_ahead),
+          random_(seed),
+          particles_(state_of(random_cloud(150, 3.0, half_edge, seed))) {
         const Scene scene = springs_only();
         table_ = ContactTable(scene.contact, Materials(scene));
         contacts_ = PairContacts(settings, table_.history_size());
@@ -62,13 +67,17 @@ public:
 
     std::size_t kept() const { return kept_; }
 
+    std::size_t look_aheads() const { return look_aheads_; }
+
 private:
     std::size_t look(std::uint64_t cycle) {
         const Pairs known_before = pairs_of(contacts_.objects());
         const Kernels& kernels = kernels_for("");
         const Renewal due = contacts_.due(cycle, particles_, frame_, kernels);
         contacts_.renew(due, cycle, particles_, frame_, kernels);
-        contacts_.find_touching(particles_, 0.0, false, kernels);
+        const bool looks_ahead = looks_ahead_ && due != Renewal::none;
+        contacts_.find_touching(particles_, 0.0, looks_ahead, kernels);
+        look_aheads_ += looks_ahead ? 1 : 0;
         contacts_.add_forces(particles_, table_, timestep, true, kernels);
         const Pairs touching = touching_pairs();
         const Pairs expected = brute_force_pairs(particles_, 1.0, 0.0);
@@ -122,6 +131,7 @@ private:
         force_ = std::move(next);
     }
 
+    bool looks_ahead_;
     std::mt19937_64 random_;
     ParticleState particles_;
     ContactTable table_;
@@ -132,6 +142,7 @@ private:
     std::map<std::pair<Index, Index>, double> force_;
     std::uint64_t late_ = 0;
     std::size_t kept_ = 0;
+    std::size_t look_aheads_ = 0;
 };
 
 TEST(PairContacts, MissNoTouchingPairWithTheDisplacementTrigger) {
@@ -148,6 +159,21 @@ TEST(PairContacts, MissNoTouchingPairWithTheDisplacementTrigger) {
         EXPECT_LT(cloud.contacts().renewals(), 500U);
         EXPECT_GT(cloud.contacts().candidate_builds(), 10U);
         EXPECT_LT(cloud.contacts().candidate_builds(), cloud.contacts().renewals());
+    }
+}
+
+/// Contact objects reach so far that few of them are near: these alone are tested from look-ahead
+/// to look-ahead.
+TEST(PairContacts, MissNoTouchingPairBetweenLookAheads) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        FlyingCloud cloud({.tolerance = 2.0, .slack = 0.00025}, 0.1, seed, true);
+        for (std::uint64_t cycle = 1; cycle <= 1000; ++cycle) {
+            ASSERT_EQ(cloud.step(cycle), 0U) << "cycle " << cycle;
+        }
+        EXPECT_GT(cloud.look_aheads(), 300U);
+        EXPECT_LT(cloud.look_aheads(), 600U);
+        EXPECT_LT(cloud.contacts().renewals(), 100U);
     }
 }
 
