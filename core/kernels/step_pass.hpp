@@ -40,21 +40,27 @@ struct StiffnessPair {
 };
 
 /// Contributions of a block of contacts to the sums of their particles.
-struct StepShares {
-    alignas(64) double shear[4 * width];
-    alignas(64) double normal[4 * width];
-
-    StepShares(const StiffnessPair& k, const Vec3Of<Pack>& normal_square) {
-        store_packets(k.shear * normal_square, k.shear, shear);
-        store_packets(k.normal * normal_square, Pack{}, normal);
-    }
-
-    void add_to(const StepSums& sums, Index row, Index lane) const {
-        add_packet(sums.shear + 4 * std::size_t{row}, shear + 4 * lane);
+class StepShares {
+public:
+    StepShares(const StiffnessPair& k, const Vec3Of<Pack>& normal_square, const StepSums& sums)
+        : sums_(sums) {
+        store_packets(k.shear * normal_square, k.shear, shear_);
         if (sums.normal != nullptr) {
-            add_packet(sums.normal + 4 * std::size_t{row}, normal + 4 * lane);
+            store_packets(k.normal * normal_square, Pack{}, normal_);
         }
     }
+
+    void add_to(Index row, Index lane) const {
+        add_packet(sums_.shear + 4 * std::size_t{row}, shear_ + 4 * lane);
+        if (sums_.normal != nullptr) {
+            add_packet(sums_.normal + 4 * std::size_t{row}, normal_ + 4 * lane);
+        }
+    }
+
+private:
+    StepSums sums_;
+    alignas(64) double shear_[4 * width];
+    alignas(64) double normal_[4 * width];
 };
 
 template <class Law>
@@ -93,13 +99,13 @@ GRAINBENCH_FLATTEN void add_pair_steps(const PairStepPass& pass) {
                            load_motion(p, spin_packet, of_i).w,
                            load_motion(p, spin_packet, of_j).w);
         }
-        const StepShares shares(StiffnessPair::of<Law>(values, pass.laws.impact, g),
-                                {apart.x * apart.x * inverse,
-                                 apart.y * apart.y * inverse,
-                                 apart.z * apart.z * inverse});
+        const StepShares shares(
+            StiffnessPair::of<Law>(values, pass.laws.impact, g),
+            {apart.x * apart.x * inverse, apart.y * apart.y * inverse, apart.z * apart.z * inverse},
+            pass.sums);
         for (Index l = 0; l < valid; ++l) {
-            shares.add_to(pass.sums, i[l], l);
-            shares.add_to(pass.sums, j[l], l);
+            shares.add_to(i[l], l);
+            shares.add_to(j[l], l);
         }
     }
 }
@@ -127,9 +133,10 @@ GRAINBENCH_FLATTEN void add_wall_steps(const WallStepPass& pass) {
                 pass.laws, load_motion(pass.particles, spin_packet, row).w, Pack(pass.material));
         }
         const StepShares shares(StiffnessPair::of<Law>(values, pass.laws.impact, g),
-                                {n.x * n.x, n.y * n.y, n.z * n.z});
+                                {n.x * n.x, n.y * n.y, n.z * n.z},
+                                pass.sums);
         for (Index l = 0; l < valid; ++l) {
-            shares.add_to(pass.sums, row(l), l);
+            shares.add_to(row(l), l);
         }
     }
 }
