@@ -73,6 +73,7 @@ void WallContacts::change_population(const PopulationChange& change, const Parti
     }
     candidates_.clear();
     candidates_.pad();
+    clearances_.clear();
     cut_into_parts();
     clock_.expire(after);
 }
@@ -81,6 +82,7 @@ void WallContacts::build_candidates(const ParticleState& particles,
                                     const WallBody& wall,
                                     const Workers& workers) {
     const SearchSettings& settings = clock_.settings();
+    clearances_.resize(particles.size());
     std::vector<PairList> found((particles.size() + collected_particles - 1) / collected_particles);
     workers.for_each(found.size(), [&](std::size_t part) {
         const auto first = static_cast<Index>(part) * collected_particles;
@@ -95,7 +97,12 @@ void WallContacts::build_candidates(const ParticleState& particles,
                 settings.brute_force
                     ? 1e300
                     : (1.0 + settings.tolerance) * particles.radius(slot) + settings.slack;
-            wall.surface().collect(wall.to_wall(particles.position(slot)), reach, patches);
+            const Vec3 centre = wall.to_wall(particles.position(slot));
+            if (clearances_[slot].exceeds(centre, reach)) {
+                continue;
+            }
+            const double others = wall.surface().collect(centre, reach, patches);
+            clearances_[slot] = {centre, patches.empty() ? others : 0.0};
             for (const Index patch : patches) {
                 found[part].append(slot, patch);
             }
@@ -523,6 +530,7 @@ void WallContacts::load(const Archive& archive,
     candidates_.load(
         archive, name + "/candidate_particle", name + "/candidate_patch", size, patches);
     objects_.load(archive, name + "/objects", size, patches);
+    clearances_.clear();
     cut_into_parts();
     const auto& force = archive.get<double>(name + "/force", 4 * std::size_t{touching_count()});
     force_.assign(force.begin(), force.end());

@@ -116,6 +116,20 @@ private:
 
     Index place(Index t) const { return objects_.touching()[t].place(); }
 
+    /// How far a particle was from the wall when it was last looked at.
+    struct Clearance {
+        Vec3 centre{};          ///< [m] in the wall's frame
+        double distance = 0.0;  ///< [m] to the wall, or less
+
+        /// Whether a particle that has come to `now` must be farther than `reach` from the wall.
+        bool exceeds(const Vec3& now, double reach) const {
+            constexpr double rounding = 1e-9;
+            const double left = (1.0 - rounding) * distance - reach;
+            const Vec3 way = now - centre;
+            return left > 0.0 && dot(way, way) < left * left;
+        }
+    };
+
     /// Work on the entries of some particles, with room of its own.
     struct Part {
         Index first = 0;  ///< entries [first, last); whole words of the bits by entry
@@ -174,8 +188,9 @@ private:
     std::pair<Index, Index> touching_of(const Part& part) const;
 
     ListClock clock_;
-    PairList candidates_;     ///< particle, patch
-    ContactObjects objects_;  ///< particle, patch; extra packet: normal, distance
+    PairList candidates_;                ///< particle, patch
+    std::vector<Clearance> clearances_;  ///< by slot
+    ContactObjects objects_;             ///< particle, patch; extra packet: normal, distance
     bool just_renewed_ = false;
     std::vector<std::uint64_t> face_, doubt_, now_;  ///< bit by entry
     Column<double> height_;                          ///< [m] by entry

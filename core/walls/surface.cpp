@@ -217,16 +217,24 @@ std::span<const double> Surface::shells() const {
     return impl_->shells;
 }
 
-void Surface::collect(const Vec3& centre, double reach, std::vector<Index>& patches) const {
+double Surface::collect(const Vec3& centre, double reach, std::vector<Index>& patches) const {
     const auto first = static_cast<std::ptrdiff_t>(patches.size());
     const std::span<const Triangle> triangles = impl_->mesh.triangles();
     const std::vector<RoundPatch>& round = impl_->round;
     Closest closest;
+    double nearest = round.empty() ? std::numeric_limits<double>::infinity() : reach * reach;
     impl_->mesh.tree().visit(
-        [&](const Bounds& b) { return b.squared_distance(centre) <= reach * reach; },
+        [&](const Bounds& b) {
+            const double square = b.squared_distance(centre);
+            const bool is_near = square <= reach * reach;
+            nearest = is_near ? nearest : std::min(nearest, square);
+            return is_near;
+        },
         [&](Index k) {
             if (closest_within(triangles[k], centre, reach, closest)) {
                 patches.push_back(k);
+            } else {
+                nearest = reach * reach;
             }
         });
     std::sort(patches.begin() + first, patches.end());
@@ -235,6 +243,7 @@ void Surface::collect(const Vec3& centre, double reach, std::vector<Index>& patc
             patches.push_back(k);
         }
     }
+    return std::sqrt(nearest);
 }
 
 void Surface::resolve(const Vec3& centre,

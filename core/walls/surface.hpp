@@ -58,8 +58,9 @@ public:
     /// of other patches is zero. Empty where no patch is such a side.
     std::span<const double> shells() const;
 
-    /// Appends, ascending, the patches whose distance from `centre` is at most `reach`.
-    void collect(const Vec3& centre, double reach, std::vector<Index>& patches) const;
+    /// Appends, ascending, the patches whose distance from `centre` is at most `reach`. Returns a
+    /// distance, at least `reach`, that none of the others is nearer than.
+    double collect(const Vec3& centre, double reach, std::vector<Index>& patches) const;
 
     /// Contacts of a sphere at `centre` with those of `patches` (ascending) that are within
     /// `reach`, after the rule: every face hit acts; an edge hit acts once and only if no face at
