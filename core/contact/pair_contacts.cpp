@@ -8,6 +8,9 @@ namespace grainbench {
 
 namespace {
 
+/// Words of objects in a part of the near pairs: enough work to be worth a thread.
+constexpr std::size_t near_part_words = 128;
+
 /// A record as it would be had i and j changed places.
 void turn_record(double* record) {
     for (const Index first : {record_damping_x, record_shear_x, record_normal_x, record_moment_x}) {
@@ -212,31 +215,49 @@ void PairContacts::test(const ParticleState& particles,
         }
     });
     if (looks_ahead) {
-        list_near(ahead_);
+        list_near(ahead_, workers);
         near_is_ahead_ = true;
         ahead_reach_ = reach;
     } else if (near_only) {
-        std::fill(within_.begin(), within_.end(), 0);
-        for_each_bit(within_near_, [&](Index k) {
-            within_[near_place_[k] / 64] |= std::uint64_t{1} << (near_place_[k] % 64);
+        for_each_near_part(workers, [&](const NearPart& part) {
+            std::fill(within_.data() + part.first_word, within_.data() + part.last_word, 0);
+            for_each_bit(within_near_, part.first, part.first + part.count, [&](Index k) {
+                within_[near_place_[k] / 64] |= std::uint64_t{1} << (near_place_[k] % 64);
+            });
         });
     }
 }
 
-void PairContacts::list_near(std::span<const std::uint64_t> words) {
-    const PairList& list = objects_.list();
+void PairContacts::list_near(std::span<const std::uint64_t> words, const Workers& workers) {
+    near_parts_.resize((words.size() + near_part_words - 1) / near_part_words);
+    for (std::size_t p = 0; p < near_parts_.size(); ++p) {
+        near_parts_[p].first_word = p * near_part_words;
+        near_parts_[p].last_word = std::min((p + 1) * near_part_words, words.size());
+    }
+    for_each_near_part(workers, [&](NearPart& part) {
+        part.count = 0;
+        for (std::size_t w = part.first_word; w < part.last_word; ++w) {
+            part.count += static_cast<Index>(std::popcount(words[w]));
+        }
+    });
     near_.count = 0;
-    for (const std::uint64_t word : words) {
-        near_.count += static_cast<Index>(std::popcount(word));
+    for (NearPart& part : near_parts_) {
+        part.first = near_.count;
+        near_.count += part.count;
     }
     near_.pad();
     near_place_.resize(near_.count);
     within_near_.resize(near_.words());
-    Index k = 0;
-    for_each_bit(words, [&](Index place) {
-        near_place_[k] = place;
-        near_.i[k] = list.i[place];
-        near_.j[k++] = list.j[place];
+    const PairList& list = objects_.list();
+    for_each_near_part(workers, [&](const NearPart& part) {
+        Index k = part.first;
+        const auto first = static_cast<Index>(64 * part.first_word);
+        const auto last = static_cast<Index>(64 * part.last_word);
+        for_each_bit(words, first, last, [&](Index place) {
+            near_place_[k] = place;
+            near_.i[k] = list.i[place];
+            near_.j[k++] = list.j[place];
+        });
     });
     near_is_ahead_ = false;
 }
@@ -333,7 +354,7 @@ void PairContacts::add_steps(ParticleState& particles,
                              const Kernels& kernels,
                              const Workers& workers) {
     if (touching_only) {
-        list_near(objects_.acting());
+        list_near(objects_.acting(), workers);
     }
     const PairStepPass all{.particles = particles.view(),
                            .laws = table.view(0.0),

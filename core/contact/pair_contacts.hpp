@@ -126,7 +126,19 @@ private:
                     double scale,
                     double extra) const;
 
-    void list_near(std::span<const std::uint64_t> words);
+    /// The pairs of near_ among some consecutive objects.
+    struct NearPart {
+        std::size_t first_word, last_word;  ///< of the bits by object
+        Index first = 0;                    ///< pair of near_
+        Index count = 0;
+    };
+
+    void list_near(std::span<const std::uint64_t> words, const Workers& workers);
+
+    template <class Act>
+    void for_each_near_part(const Workers& workers, const Act& act) {
+        workers.for_each(near_parts_.size(), [&](std::size_t p) { act(near_parts_[p]); });
+    }
 
     /// Whether nothing but near_ can touch, and it is enough less than all.
     bool near_is_all(double reach) const;
@@ -152,9 +164,10 @@ private:
     PairList candidates_;
     ContactObjects objects_;
     Column<Index> found_;
-    std::vector<std::uint64_t> within_;       ///< bit by object
-    std::vector<std::uint64_t> ahead_;        ///< bit by object, of the last look-ahead
-    PairList near_;                           ///< objects that count for the stable step
+    std::vector<std::uint64_t> within_;  ///< bit by object
+    std::vector<std::uint64_t> ahead_;   ///< bit by object, of the last look-ahead
+    PairList near_;                      ///< objects that count for the stable step
+    std::vector<NearPart> near_parts_;
     std::vector<Index> near_place_;           ///< of each of them in objects()
     std::vector<std::uint64_t> within_near_;  ///< bit by pair of near_
     bool near_is_ahead_ = false;  ///< near_ is what the last look-ahead found in objects()
