@@ -19,7 +19,7 @@ namespace {
 /// columns and lists take 1000 in a dense bed with friction, frames and checkpoints in the making
 /// as much again, and work space the rest. Of a facet: its geometry, planes and place in the tree.
 constexpr double bytes_per_particle = 2500.0;
-constexpr double bytes_per_particle_and_wall = 70.0;
+constexpr double bytes_per_particle_and_wall = 100.0;
 constexpr double bytes_per_facet = 700.0;
 
 /// [bytes] Fields of a cell, and as much again for its file in the making. Fields are not kept.
