@@ -133,6 +133,7 @@ private:
         Index count = 0;
     };
 
+    /// Makes near_ the objects whose bits are set.
     void list_near(std::span<const std::uint64_t> words, const Workers& workers);
 
     template <class Act>
