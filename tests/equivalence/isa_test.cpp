@@ -469,10 +469,13 @@ Bytes step_sums(const Kernels& kernels, const LawChoice& choice, Index count, bo
     Column<double> shear(p.position.size(), 0.0);
     Column<double> normal(p.position.size(), 0.0);
     const StepSums sums{shear.data(), rotation_rules ? nullptr : normal.data()};
+    // No longer than they must be, as those of the last slab are: reading on would be a fault.
+    const std::vector<Index> i(pairs.i.begin() + 3, pairs.i.begin() + 3 + count);
+    const std::vector<Index> j(pairs.j.begin() + 3, pairs.j.begin() + 3 + count);
     kernels.add_pair_steps({.particles = p.view(),
                             .laws = table.view(0.0),
-                            .i = pairs.i.data() + 3,
-                            .j = pairs.j.data() + 3,
+                            .i = i.data(),
+                            .j = j.data(),
                             .count = count,
                             .sums = sums});
     std::mt19937_64 random(seed);
