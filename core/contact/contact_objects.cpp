@@ -143,7 +143,13 @@ void ContactObjects::forget_before() {
     release_if_large(rows_before_);
 }
 
-bool ContactObjects::set_touching(std::span<const std::uint64_t> now, const Workers& workers) {
+bool ContactObjects::set_touching(std::span<const std::uint64_t> now,
+                                  bool may_have_changed,
+                                  const Kernels& kernels,
+                                  const Workers& workers) {
+    if (!may_have_changed && all_are_listed_ && !shares_.empty()) {
+        return false;
+    }
     constexpr std::size_t share_size = 128;  // words: enough work to be worth a thread
     shares_.resize((now.size() + share_size - 1) / share_size);
     listed_.resize(now.size());
@@ -176,22 +182,24 @@ bool ContactObjects::set_touching(std::span<const std::uint64_t> now, const Work
         if (share.is_listed) {
             return;
         }
-        std::size_t next = share.first;
-        const auto [first_word, last_word] = words_of(k);
-        for (std::size_t w = first_word; w < last_word; ++w) {
-            const std::uint64_t before = acting_[w];
-            acting_[w] = listed_[w] = now[w];
-            for_each_bit(before & ~now[w], 64 * w, [&](Index place) {
+        const auto [first, last] = words_of(k);
+        kernels.list_touching(now.data() + first,
+                              acting_.data() + first,
+                              last - first,
+                              static_cast<Index>(64 * first),
+                              touching_.data() + share.first);
+        for (std::size_t w = first; w < last; ++w) {
+            for_each_bit(acting_[w] & ~now[w], 64 * w, [&](Index place) {
                 std::fill_n(row(place), stride(), 0.0);
             });
-            for_each_bit(now[w], 64 * w, [&](Index place) {
-                touching_[next++] = TouchingContact(place, (before >> (place % 64) & 1) == 0);
-            });
+            acting_[w] = listed_[w] = now[w];
         }
         share.is_listed = !share.has_changed;
     });
-    return std::any_of(
+    const bool any_has_changed = std::any_of(
         shares_.begin(), shares_.end(), [](const Share& share) { return share.has_changed; });
+    all_are_listed_ = !any_has_changed;
+    return any_has_changed;
 }
 
 void ContactObjects::hand_over(Index from, Index to) {

@@ -66,7 +66,11 @@ public:
 
     /// Takes over which objects touch, one bit each, and forgets the history of those that opened.
     /// True if any opened or closed.
-    bool set_touching(std::span<const std::uint64_t> now, const Workers& workers = {});
+    /// \param may_have_changed false if the bits are those of the last call
+    bool set_touching(std::span<const std::uint64_t> now,
+                      bool may_have_changed,
+                      const Kernels& kernels,
+                      const Workers& workers);
 
     /// Objects that touch, ascending.
     std::span<const TouchingContact> touching() const {
@@ -131,6 +135,7 @@ private:
     std::size_t touching_count_ = 0;
     std::vector<std::uint64_t> listed_;  ///< bit by object: stands in touching_
     std::vector<Share> shares_;          ///< empty where touching_ is yet to be listed
+    bool all_are_listed_ = false;        ///< in all shares
     PairList list_before_;
     std::vector<std::uint64_t> acting_before_;
     Column<double> rows_before_;

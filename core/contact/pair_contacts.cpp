@@ -8,9 +8,6 @@ namespace grainbench {
 
 namespace {
 
-/// Words of objects in a part of the near pairs: enough work to be worth a thread.
-constexpr std::size_t near_part_words = 128;
-
 /// A record as it would be had i and j changed places.
 void turn_record(double* record) {
     for (const Index first : {record_damping_x, record_shear_x, record_normal_x, record_moment_x}) {
@@ -25,18 +22,6 @@ void turn_record(double* record) {
 
 PairContacts::PairContacts(const SearchSettings& settings, int history_size)
     : clock_(settings), objects_(history_size) {}
-
-PairQuery PairContacts::query(const ParticleState& particles,
-                              const PairList& list,
-                              double scale,
-                              double extra) const {
-    return {.position = particles.positions().data(),
-            .i = list.i.data(),
-            .j = list.j.data(),
-            .count = list.count,
-            .scale = scale,
-            .extra = extra};
-}
 
 Renewal PairContacts::due(std::uint64_t cycle,
                           const ParticleState& particles,
@@ -81,8 +66,7 @@ void PairContacts::change_population(const PopulationChange& change,
     }
     candidates_.clear();
     candidates_.pad();
-    within_.resize(objects_.list().words());
-    near_is_ahead_ = false;
+    touch_.forget(objects_.list());
     cut_into_slabs(after);
     clock_.expire(after);
 }
@@ -143,11 +127,11 @@ void PairContacts::renew_objects(const ParticleState& particles, const Kernels& 
         std::iota(found_.begin(), found_.end(), Index{0});
     } else {
         count = kernels.find_pairs(
-            query(particles, candidates_, 1.0 + clock_.settings().tolerance, 0.0), found_.data());
+            query_of(particles, candidates_, 1.0 + clock_.settings().tolerance, 0.0),
+            found_.data());
     }
     objects_.renew(candidates_, {found_.data(), count}, RowOwners(particles));
-    within_.resize(objects_.list().words());
-    near_is_ahead_ = false;
+    touch_.forget(objects_.list());
     cut_into_slabs(particles);
     just_renewed_ = true;
     ++renewals_;
@@ -174,8 +158,9 @@ void PairContacts::cut_into_slabs(const ParticleState& particles) {
 /// Born overlapping: the whole of the first step counts (physics reference 1.3).
 void PairContacts::adopt_late_contacts(const ParticleState& particles) {
     const PairList& list = objects_.list();
-    for (std::size_t w = 0; w < within_.size(); ++w) {
-        for_each_bit(within_[w] & ~objects_.acting()[w], 64 * w, [&](Index k) {
+    const auto within = touch_.bits();
+    for (std::size_t w = 0; w < within.size(); ++w) {
+        for_each_bit(within[w] & ~objects_.acting()[w], 64 * w, [&](Index k) {
             if (!objects_.was_listed(list.i[k], particles.owner(list.j[k]))) {
                 objects_.set_acting(k);
                 late_ += renewals_ > 1 ? 1 : 0;
@@ -186,86 +171,43 @@ void PairContacts::adopt_late_contacts(const ParticleState& particles) {
     just_renewed_ = false;
 }
 
-void PairContacts::test(const ParticleState& particles,
+void PairContacts::add_travel(double bound) {
+    clock_.add_travel(bound);
+    touch_.add_travel(bound);
+}
+
+bool PairContacts::test(const ParticleState& particles,
                         double reach,
-                        bool looks_ahead,
                         const Kernels& kernels,
                         const Workers& workers) {
-    constexpr Index part_size = 8192;  // pairs, a multiple of 64
-    const bool near_only = !looks_ahead && near_is_all(reach);
-    const PairQuery all = query(particles, near_only ? near_ : objects_.list(), 1.0, reach);
-    std::vector<std::uint64_t>& within = near_only ? within_near_ : within_;
-    double ahead = 0.0;
-    if (looks_ahead) {
-        clock_.look_ahead(particles.smallest_radius());
-        ahead = clock_.settings().brute_force ? 1e300 : 2.0 * clock_.horizon();
-        ahead_.resize(within_.size());
+    if (clock_.settings().brute_force) {
+        touch_.test_all(particles, objects_.list(), reach, kernels, workers);
+        return true;
     }
-    workers.for_each((all.count + part_size - 1) / part_size, [&](std::size_t part) {
-        const auto first = static_cast<Index>(part * part_size);
-        PairQuery of_part = all;
-        of_part.i += first;
-        of_part.j += first;
-        of_part.count = std::min(part_size, all.count - first);
-        std::uint64_t* const words = within.data() + first / 64;
-        if (looks_ahead) {
-            kernels.test_pairs_ahead(of_part, ahead, words, ahead_.data() + first / 64);
-        } else {
-            kernels.test_pairs(of_part, words);
-        }
-    });
-    if (looks_ahead) {
-        list_near(ahead_, workers);
-        near_is_ahead_ = true;
-        ahead_reach_ = reach;
-    } else if (near_only) {
-        for_each_near_part(workers, [&](const NearPart& part) {
-            std::fill(within_.data() + part.first_word, within_.data() + part.last_word, 0);
-            for_each_bit(within_near_, part.first, part.first + part.count, [&](Index k) {
-                within_[near_place_[k] / 64] |= std::uint64_t{1} << (near_place_[k] % 64);
-            });
-        });
-    }
+    return touch_.test(particles, objects_.list(), reach, kernels, workers);
 }
 
-void PairContacts::list_near(std::span<const std::uint64_t> words, const Workers& workers) {
-    near_parts_.resize((words.size() + near_part_words - 1) / near_part_words);
-    for (std::size_t p = 0; p < near_parts_.size(); ++p) {
-        near_parts_[p].first_word = p * near_part_words;
-        near_parts_[p].last_word = std::min((p + 1) * near_part_words, words.size());
-    }
-    for_each_near_part(workers, [&](NearPart& part) {
-        part.count = 0;
-        for (std::size_t w = part.first_word; w < part.last_word; ++w) {
-            part.count += static_cast<Index>(std::popcount(words[w]));
+bool PairContacts::test_ahead(const ParticleState& particles,
+                              double reach,
+                              const Kernels& kernels,
+                              const Workers& workers) {
+    clock_.look_ahead(particles.smallest_radius());
+    const double horizon = clock_.horizon();
+    counts_are_doubtful_ = clock_.horizon_is_short() && !clock_.settings().brute_force;
+    if (counts_are_doubtful_) {
+        // What may touch before the next look-ahead is what touches or is in doubt until then.
+        touch_.test_and_doubt(particles, objects_.list(), reach, horizon, kernels, workers);
+        counts_.assign(touch_.bits().begin(), touch_.bits().end());
+        for (std::size_t w = 0; w < counts_.size(); ++w) {
+            counts_[w] |= touch_.doubt_bits()[w];
+            counts_are_doubtful_ = counts_are_doubtful_ && counts_[w] == touch_.doubt_bits()[w];
         }
-    });
-    near_.count = 0;
-    for (NearPart& part : near_parts_) {
-        part.first = near_.count;
-        near_.count += part.count;
+        return true;
     }
-    near_.pad();
-    near_place_.resize(near_.count);
-    within_near_.resize(near_.words());
-    const PairList& list = objects_.list();
-    for_each_near_part(workers, [&](const NearPart& part) {
-        Index k = part.first;
-        const auto first = static_cast<Index>(64 * part.first_word);
-        const auto last = static_cast<Index>(64 * part.last_word);
-        for_each_bit(words, first, last, [&](Index place) {
-            near_place_[k] = place;
-            near_.i[k] = list.i[place];
-            near_.j[k++] = list.j[place];
-        });
-    });
-    near_is_ahead_ = false;
-}
-
-bool PairContacts::near_is_all(double reach) const {
-    // What touches must be put in its places afterwards: about as dear as a test.
-    return near_is_ahead_ && reach == ahead_reach_ && clock_.is_within_horizon() &&
-           near_.count + touching().size() < objects_.list().count;
+    constexpr double anywhere = 1e150;  // its square is a number
+    const double soon = clock_.settings().brute_force ? anywhere : reach + 2.0 * horizon;
+    test_pairs(particles, objects_.list(), soon, counts_, kernels, workers);
+    return test(particles, reach, kernels, workers);
 }
 
 bool PairContacts::find_touching(const ParticleState& particles,
@@ -274,14 +216,15 @@ bool PairContacts::find_touching(const ParticleState& particles,
                                  const Kernels& kernels,
                                  const Workers& workers) {
     if (just_renewed_ && reach > 0.0) {
-        test(particles, 0.0, false, kernels, workers);
+        test(particles, 0.0, kernels, workers);
         adopt_late_contacts(particles);
     }
-    test(particles, reach, looks_ahead, kernels, workers);
+    const bool may_have_changed = looks_ahead ? test_ahead(particles, reach, kernels, workers)
+                                              : test(particles, reach, kernels, workers);
     if (just_renewed_) {
         adopt_late_contacts(particles);
     }
-    return objects_.set_touching(within_, workers);
+    return objects_.set_touching(touch_.bits(), may_have_changed, kernels, workers);
 }
 
 /// Every other slab at a time, since contacts of one reach into the next.
@@ -300,13 +243,6 @@ std::size_t PairContacts::first_touching(std::size_t slab) const {
             return contact.place() < slab_start_[slab];
         });
     return static_cast<std::size_t>(first - touching().begin());
-}
-
-Index PairContacts::first_near(std::size_t slab) const {
-    const auto first = std::partition_point(near_place_.begin(),
-                                            near_place_.end(),
-                                            [&](Index place) { return place < slab_start_[slab]; });
-    return static_cast<Index>(first - near_place_.begin());
 }
 
 void PairContacts::add_forces(ParticleState& particles,
@@ -353,21 +289,23 @@ void PairContacts::add_steps(ParticleState& particles,
                              const StepSums& sums,
                              const Kernels& kernels,
                              const Workers& workers) {
-    if (touching_only) {
-        list_near(objects_.acting(), workers);
+    const bool are_listed = counts_are_doubtful_ && !touching_only;
+    if (!are_listed) {
+        counting_.select(objects_.list(), touching_only ? objects_.acting() : counts_, workers);
     }
+    const PairSelection& counting = are_listed ? touch_.doubtful() : counting_;
     const PairStepPass all{.particles = particles.view(),
                            .laws = table.view(0.0),
-                           .i = near_.i.data(),
-                           .j = near_.j.data(),
+                           .i = counting.list().i.data(),
+                           .j = counting.list().j.data(),
                            .count = 0,
                            .sums = sums};
     for_each_slab(workers, [&](std::size_t slab) {
-        const Index first = first_near(slab);
+        const Index first = counting.first_from(slab_start_[slab]);
         PairStepPass pass = all;
         pass.i += first;
         pass.j += first;
-        pass.count = first_near(slab + 1) - first;
+        pass.count = counting.first_from(slab_start_[slab + 1]) - first;
         kernels.add_pair_steps(pass);
     });
 }
@@ -394,8 +332,7 @@ void PairContacts::load(const Archive& archive, const ParticleState& particles) 
     const RowOwners owner(particles);
     candidates_.load(archive, "pairs/candidate_i", "pairs/candidate_j", size, rows, owner);
     objects_.load(archive, "pairs/objects", size, rows, owner);
-    within_.assign(objects_.list().words(), 0);
-    near_is_ahead_ = false;
+    touch_.forget(objects_.list());
     cut_into_slabs(particles);
     const auto& records = archive.get<double>("pairs/records");
     records_.assign(records.begin(), records.end());

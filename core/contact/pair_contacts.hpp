@@ -8,6 +8,7 @@
 
 #include "core/contact/contact_objects.hpp"
 #include "core/contact/contact_table.hpp"
+#include "core/contact/touch_test.hpp"
 #include "core/search/candidates.hpp"
 #include "core/search/list_clock.hpp"
 
@@ -33,7 +34,7 @@ public:
     double mean_slot_distance() const;
 
     /// Adds the travel bound of one step, relative to the bed's frame.
-    void add_travel(double bound) { clock_.add_travel(bound); }
+    void add_travel(double bound);
 
     /// Which lists are due at the present positions.
     Renewal due(std::uint64_t cycle,
@@ -78,7 +79,7 @@ public:
                     double reach,
                     const Kernels& kernels,
                     const Workers& workers = {}) {
-        test(particles, reach, true, kernels, workers);
+        test_ahead(particles, reach, kernels, workers);
     }
 
     /// Adds to the sums for the stable step the contacts of the last look-ahead, or only those that
@@ -121,35 +122,18 @@ private:
     void leave_one_of_images(const ParticleState& particles);
     void cut_into_slabs(const ParticleState& particles);
     void adopt_late_contacts(const ParticleState& particles);
-    PairQuery query(const ParticleState& particles,
-                    const PairList& list,
-                    double scale,
-                    double extra) const;
 
-    /// The pairs of near_ among some consecutive objects.
-    struct NearPart {
-        std::size_t first_word, last_word;  ///< of the bits by object
-        Index first = 0;                    ///< pair of near_
-        Index count = 0;
-    };
-
-    /// Makes near_ the objects whose bits are set.
-    void list_near(std::span<const std::uint64_t> words, const Workers& workers);
-
-    template <class Act>
-    void for_each_near_part(const Workers& workers, const Act& act) {
-        workers.for_each(near_parts_.size(), [&](std::size_t p) { act(near_parts_[p]); });
-    }
-
-    /// Whether nothing but near_ can touch, and it is enough less than all.
-    bool near_is_all(double reach) const;
-
-    /// Sets within_; and near_ if it looks ahead.
-    void test(const ParticleState& particles,
+    /// Which objects touch. False if they are those of the last test.
+    bool test(const ParticleState& particles,
               double reach,
-              bool looks_ahead,
               const Kernels& kernels,
               const Workers& workers);
+
+    /// Sets counts_ too.
+    bool test_ahead(const ParticleState& particles,
+                    double reach,
+                    const Kernels& kernels,
+                    const Workers& workers);
 
     template <class Act>
     void for_each_slab(const Workers& workers, const Act& act) const;
@@ -157,22 +141,15 @@ private:
     /// First touching contact of a slab, or of those behind it.
     std::size_t first_touching(std::size_t slab) const;
 
-    /// The same of those in near_.
-    Index first_near(std::size_t slab) const;
-
     ListClock clock_;
     CandidateFinder finder_;
     PairList candidates_;
     ContactObjects objects_;
     Column<Index> found_;
-    std::vector<std::uint64_t> within_;  ///< bit by object
-    std::vector<std::uint64_t> ahead_;   ///< bit by object, of the last look-ahead
-    PairList near_;                      ///< objects that count for the stable step
-    std::vector<NearPart> near_parts_;
-    std::vector<Index> near_place_;           ///< of each of them in objects()
-    std::vector<std::uint64_t> within_near_;  ///< bit by pair of near_
-    bool near_is_ahead_ = false;  ///< near_ is what the last look-ahead found in objects()
-    double ahead_reach_ = 0.0;    ///< [m] of the last look-ahead
+    TouchTest touch_;                    ///< of the objects
+    std::vector<std::uint64_t> counts_;  ///< bit by object: counts for the stable step
+    bool counts_are_doubtful_ = false;   ///< they are the pairs in doubt
+    PairSelection counting_;             ///< objects whose sums were asked for last
     bool just_renewed_ = false;
     std::vector<Index> slab_start_;  ///< by slab: first place; one more at the end
     Column<double> records_;

@@ -302,7 +302,7 @@ bool WallContacts::find_touching(const ParticleState& particles,
         }
     }
     just_renewed_ = false;
-    objects_.set_touching(now_, workers);
+    objects_.set_touching(now_, true, kernels, workers);
     workers.for_each(parts_.size(), [&](std::size_t p) {
         for (const Hit& hit : parts_[p].hits) {
             const double geometry[4] = {hit.normal.x, hit.normal.y, hit.normal.z, hit.distance};

@@ -171,8 +171,9 @@ public:
 
     constexpr bool is_new() const { return (bits_ & new_bit) != 0; }
 
-private:
     static constexpr Index new_bit = Index{1} << 31;
+
+private:
     Index bits_ = 0;
 };
 
@@ -255,11 +256,20 @@ struct Kernels {
     /// One bit per pair: within reach. Bits past the end are zero.
     void (*test_pairs)(const PairQuery&, std::uint64_t* within);
 
-    /// The same, and in `near` the pairs that are within reach or less than `ahead` [m] beyond it.
-    void (*test_pairs_ahead)(const PairQuery&,
-                             double ahead,
-                             std::uint64_t* within,
-                             std::uint64_t* near);
+    /// The same, and in `doubtful` the pairs that are less than `margin` [m] within reach or beyond
+    /// it.
+    void (*test_pairs_and_doubt)(const PairQuery&,
+                                 double margin,
+                                 std::uint64_t* within,
+                                 std::uint64_t* doubtful);
+
+    /// The contacts whose bits are set in `words` words, the first of which is that of place
+    /// `first`, new where `before` has no bit.
+    void (*list_touching)(const std::uint64_t* now,
+                          const std::uint64_t* before,
+                          std::size_t words,
+                          Index first,
+                          TouchingContact* touching);
     void (*test_patches)(const PatchQuery&, const PatchAnswers&);
 
     void (*pair_pass)(const PairPass&);

@@ -18,10 +18,10 @@ struct PairSpan {
         radii = at_i.w + at_j.w;
     }
 
-    Mask within(Pack scale, Pack extra) const {
-        const Pack reach = scale * radii + extra;
-        return dot(apart, apart) <= reach * reach;
-    }
+    Mask within(Pack scale, Pack extra) const { return are_within(scale * radii + extra); }
+
+    /// \param reach of the centres, not negative [m]
+    Mask are_within(Pack reach) const { return dot(apart, apart) <= reach * reach; }
 };
 
 /// Adds the pairs of one particle with those at places [first, last) of one row of cells. False if
@@ -112,24 +112,50 @@ inline void test_pairs(const PairQuery& query, std::uint64_t* within) {
     }
 }
 
-inline void test_pairs_ahead(const PairQuery& query,
-                             double ahead,
-                             std::uint64_t* within,
-                             std::uint64_t* near) {
+inline void test_pairs_and_doubt(const PairQuery& query,
+                                 double margin,
+                                 std::uint64_t* within,
+                                 std::uint64_t* doubtful) {
     const Pack scale(query.scale);
     const Pack extra(query.extra);
-    const Pack extra_ahead(query.extra + ahead);
+    const Pack either_side(margin);
     for (Index first = 0; first < query.count; first += 64) {
         std::uint64_t now = 0;
-        std::uint64_t soon = 0;
+        std::uint64_t doubt = 0;
         for (Index k = 0; k < 64; k += width) {
             const PairSpan span(query.position, query.i + first + k, query.j + first + k);
-            now |= std::uint64_t{bits_of(span.within(scale, extra))} << k;
-            soon |= std::uint64_t{bits_of(span.within(scale, extra_ahead))} << k;
+            const Pack reach = scale * span.radii + extra;
+            const Mask surely = span.are_within(larger(Pack{}, reach - either_side));
+            now |= std::uint64_t{bits_of(span.are_within(reach))} << k;
+            doubt |= std::uint64_t{bits_of(span.are_within(reach + either_side) & !surely)} << k;
         }
         const std::uint64_t valid = valid_bits(first, query.count);
         within[first / 64] = now & valid;
-        near[first / 64] = soon & valid;
+        doubtful[first / 64] = doubt & valid;
+    }
+}
+
+inline void list_touching(const std::uint64_t* now,
+                          const std::uint64_t* before,
+                          std::size_t words,
+                          Index first,
+                          TouchingContact* touching) {
+    constexpr int few = 12;  // of 64, which are faster one by one than in lanes
+    std::size_t count = 0;
+    for (std::size_t w = 0; w < words; ++w, first += 64) {
+        const std::uint64_t is_new = now[w] & ~before[w];
+        if (__builtin_popcountll(now[w]) < few) {
+            for (std::uint64_t left = now[w]; left != 0; left &= left - 1) {
+                const auto at = static_cast<Index>(__builtin_ctzll(left));
+                touching[count++] = TouchingContact(first + at, (is_new >> at & 1) != 0);
+            }
+            continue;
+        }
+        for (Index k = 0; k < 64; k += 8) {
+            const auto bits = static_cast<unsigned>(now[w] >> k & 0xFF);
+            const auto new_bits = static_cast<unsigned>(is_new >> k & 0xFF);
+            count = append_contacts(bits, new_bits, first + k, touching, count);
+        }
     }
 }
 

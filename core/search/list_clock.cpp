@@ -6,10 +6,6 @@ namespace grainbench {
 
 namespace {
 
-/// Steps at the present speed that a look-ahead should last. More steps mean fewer renewals and a
-/// smaller automatic step (share/doc/decisions/0004).
-constexpr double steps_ahead = 2.5;
-
 /// Least horizon over the smallest radius: in a bed at rest speeds say nothing.
 constexpr double least_horizon = 1e-3;
 

@@ -54,8 +54,8 @@ public:
     /// Travel of one particle that the present look-ahead allows [m]; 0 if there is none.
     double horizon() const { return horizon_; }
 
-    /// Whether no particle can have travelled farther since the look-ahead, rounding included.
-    bool is_within_horizon() const { return ahead_travel_ <= (1.0 - 1e-6) * horizon_; }
+    /// Whether it lasts for a few steps only.
+    bool horizon_is_short() const { return horizon_ <= steps_ahead * last_travel_; }
 
     const SearchSettings& settings() const { return settings_; }
 
@@ -66,6 +66,10 @@ public:
     void load(const Archive& archive, const std::string& name, const ParticleState& particles);
 
 private:
+    /// Steps at the present speed that a look-ahead should last. More steps mean fewer renewals and
+    /// a smaller automatic step (share/doc/decisions/0004).
+    static constexpr double steps_ahead = 2.5;
+
     double object_travel(double smallest_radius) const;
 
     SearchSettings settings_;

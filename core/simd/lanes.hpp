@@ -8,6 +8,7 @@
 #error "core/simd/lanes.hpp is for the per-instruction-set files of core/kernels only"
 #endif
 
+#include "core/kernels/kernels.hpp"
 #include "core/types.hpp"
 
 #include <hwy/highway.h>
@@ -126,6 +127,48 @@ inline Index append_places(unsigned bits, Index first, Index* found, Index count
         found[count++] = first + static_cast<Index>(__builtin_ctz(bits));
     }
     return count;
+#endif
+}
+
+/// Appends the contact at place first + l to `found` for each set bit l, new where new_bits says
+/// so; returns the new count. May write up to eight elements past it.
+inline std::size_t append_contacts(
+    unsigned bits, unsigned new_bits, Index first, TouchingContact* found, std::size_t count) {
+#if HWY_TARGET <= HWY_AVX3
+    static_assert(sizeof(TouchingContact) == 4 && std::is_trivially_copyable_v<TouchingContact>);
+    const __m256i lanes = _mm256_add_epi32(_mm256_set1_epi32(static_cast<int>(first)),
+                                           _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+    const __m256i new_bit = _mm256_set1_epi32(static_cast<int>(TouchingContact::new_bit));
+    const __m256i contacts =
+        _mm256_mask_or_epi32(lanes, static_cast<__mmask8>(new_bits), lanes, new_bit);
+    const auto added = static_cast<unsigned>(__builtin_popcount(bits));
+    _mm256_mask_storeu_epi32(found + count,
+                             static_cast<__mmask8>((1U << added) - 1U),
+                             _mm256_maskz_compress_epi32(static_cast<__mmask8>(bits), contacts));
+    return count + added;
+#else
+    for (; bits != 0; bits &= bits - 1) {
+        const auto lane = static_cast<Index>(__builtin_ctz(bits));
+        found[count++] = TouchingContact(first + lane, (new_bits >> lane & 1) != 0);
+    }
+    return count;
+#endif
+}
+
+/// Places of `width` contacts; returns the bits of those that are new.
+inline unsigned split_contacts(const TouchingContact* contacts, Index* place) {
+#if HWY_TARGET <= HWY_AVX3
+    const __m256i all = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(contacts));
+    const __m256i new_bit = _mm256_set1_epi32(static_cast<int>(TouchingContact::new_bit));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(place), _mm256_andnot_si256(new_bit, all));
+    return static_cast<unsigned>(_mm256_movemask_ps(_mm256_castsi256_ps(all)));
+#else
+    unsigned new_bits = 0;
+    for (Index l = 0; l < width; ++l) {
+        place[l] = contacts[l].place();
+        new_bits |= static_cast<unsigned>(contacts[l].is_new()) << l;
+    }
+    return new_bits;
 #endif
 }
 

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <random>
 
 namespace grainbench::test {
 namespace {
@@ -176,21 +177,28 @@ std::vector<Index> places_of(const std::vector<std::uint64_t>& words) {
     return places;
 }
 
-/// The same from one bit per pair, alone and beside a look-ahead.
+/// The same from one bit per pair, alone and beside what is in doubt.
 std::vector<Index> pairs_tested(const Kernels& kernels, Index count, std::uint64_t seed) {
     const RandomParticles p(particle_count, seed);
     const RandomPairs pairs(particle_count, 0, seed);
     const PairQuery query = random_query(p, pairs, count);
     std::vector<std::uint64_t> within((count + 63) / 64);
     std::vector<std::uint64_t> beside(within.size());
-    std::vector<std::uint64_t> near(within.size());
+    std::vector<std::uint64_t> doubtful(within.size());
     kernels.test_pairs(query, within.data());
-    kernels.test_pairs_ahead(query, 0.002, beside.data(), near.data());
+    constexpr double margin = 0.0005;  // less than any reach here
+    kernels.test_pairs_and_doubt(query, margin, beside.data(), doubtful.data());
     EXPECT_EQ(within, beside);
-    PairQuery farther = query;
-    farther.extra += 0.002;
-    kernels.test_pairs(farther, beside.data());
-    EXPECT_EQ(near, beside);
+    std::vector<std::uint64_t> farther(within.size());
+    std::vector<std::uint64_t> nearer(within.size());
+    PairQuery shifted = query;
+    shifted.extra = query.extra + margin;
+    kernels.test_pairs(shifted, farther.data());
+    shifted.extra = query.extra - margin;
+    kernels.test_pairs(shifted, nearer.data());
+    for (std::size_t w = 0; w < within.size(); ++w) {
+        EXPECT_EQ(doubtful[w], farther[w] & ~nearer[w]);
+    }
     return places_of(within);
 }
 
@@ -206,6 +214,33 @@ TEST(InstructionSets, FindTheSamePairs) {
     EXPECT_EQ(pairs_tested(kernels_for("scalar"), most_contacts, most_contacts), found);
     EXPECT_GT(found.size(), 5U);
     EXPECT_LT(found.size(), most_contacts - 5U);
+}
+
+/// The contacts of words with every number of bits, of which some are new; nothing is written past
+/// the last.
+TEST(InstructionSets, ListTheSameTouchingContacts) {
+    for_each_set([](std::string_view isa, const Kernels& kernels) {
+        std::mt19937_64 random(1);
+        for (int bits = 0; bits <= 64; ++bits) {
+            std::uint64_t now[2] = {};
+            std::uint64_t before[2] = {random(), random()};
+            for (int n = 0; n < bits; ++n) {
+                now[0] |= std::uint64_t{1} << (random() % 64);
+                now[1] |= std::uint64_t{1} << n;
+            }
+            std::vector<TouchingContact> expected;
+            for_each_bit(now, [&](Index place) {
+                expected.emplace_back(place + 128, !has_bit(before, place));
+            });
+            std::vector<TouchingContact> listed(
+                expected.size());  // so that a sanitizer sees its end
+            kernels.list_touching(now, before, 2, 128, listed.data());
+            for (std::size_t t = 0; t < listed.size(); ++t) {
+                EXPECT_EQ(listed[t].place(), expected[t].place()) << isa << " " << bits;
+                EXPECT_EQ(listed[t].is_new(), expected[t].is_new()) << isa << " " << bits;
+            }
+        }
+    });
 }
 
 struct PatchBits {
