@@ -222,6 +222,10 @@ struct Block {
 
     Block(const TouchingContact* touching, Index count)
         : valid(count < width ? count : Index{width}) {
+        if (valid == width) {
+            new_bits = split_contacts(touching, place);
+            return;
+        }
         for (Index l = 0; l < width; ++l) {
             const TouchingContact contact = touching[l < valid ? l : valid - 1];
             place[l] = contact.place();
@@ -250,10 +254,11 @@ inline void fetch_ahead(const PairPass& pass, Index first, Index row_packets) {
 /// \tparam keeps_records few steps do: a pass of their own, so that the others need not hold what
 /// only records read.
 template <class Laws, bool keeps_records>
-GRAINBENCH_FLATTEN void pair_pass(const PairPass& pass) {
+GRAINBENCH_FLATTEN void pair_pass(const PairPass& wanted) {
+    const PairPass pass = wanted;  // a copy, which no store can change
     const Laws laws(pass.laws.choice);
     const Index packets = history_packets(laws.history_size());
-    const ParticleView p = pass.particles;  // a copy, which no store can change
+    const ParticleView& p = pass.particles;
     const bool is_far = p.count > cached_particles;
     const Pack timestep(pass.laws.timestep);
     const Pack lever_cut(pass.laws.lever_cut);

@@ -41,7 +41,7 @@ function(grainbench_instruction_sets stem)
     set(scalar -DHWY_COMPILE_ONLY_SCALAR)
     set(sse4 -march=nehalem -maes -mpclmul)
     set(avx2 -march=haswell -maes -mpclmul)
-    set(avx512 -march=skylake-avx512 -mprefer-vector-width=512)
+    set(avx512 -march=skylake-avx512 -mtune=generic -mprefer-vector-width=512)
     foreach(isa IN ITEMS scalar sse4 avx2 avx512)
         set_source_files_properties(${stem}_${isa}.cpp PROPERTIES
             COMPILE_OPTIONS "${optimisation};${${isa}}")
