@@ -8,7 +8,7 @@
 
 #include "core/contact/contact_objects.hpp"
 #include "core/contact/contact_table.hpp"
-#include "core/contact/touch_test.hpp"
+#include "core/contact/touch_finder.hpp"
 #include "core/search/candidates.hpp"
 #include "core/search/list_clock.hpp"
 
@@ -146,7 +146,7 @@ private:
     PairList candidates_;
     ContactObjects objects_;
     Column<Index> found_;
-    TouchTest touch_;                    ///< of the objects
+    TouchFinder touch_;                  ///< of the objects
     std::vector<std::uint64_t> counts_;  ///< bit by object: counts for the stable step
     bool counts_are_doubtful_ = false;   ///< they are the pairs in doubt
     PairSelection counting_;             ///< objects whose sums were asked for last

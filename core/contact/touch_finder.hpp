@@ -23,7 +23,7 @@ void test_pairs(const ParticleState& particles,
                 const Kernels& kernels,
                 const Workers& workers);
 
-class TouchTest {
+class TouchFinder {
 public:
     /// The list is another from here on.
     void forget(const PairList& list);

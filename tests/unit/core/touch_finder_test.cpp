@@ -1,5 +1,5 @@
 /// The test of pairs that leaves most of them out, against a test of all.
-#include "core/contact/touch_test.hpp"
+#include "core/contact/touch_finder.hpp"
 
 #include "core/contact/bits.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 
 /// Particles wander for a while at one speed and then at another, a thousand times slower. Of 11
 /// 175 pairs some 200 touch, and at the low speed few of them may open or close within many steps.
-TEST(TouchTest, AnswersAsATestOfAllPairs) {
+TEST(TouchFinder, AnswersAsATestOfAllPairs) {
     constexpr int steps = 2000;
     constexpr double fast = 2e-5;  // [m] a step
     constexpr double slow = 2e-8;
@@ -28,7 +28,7 @@ TEST(TouchTest, AnswersAsATestOfAllPairs) {
     }
     list.pad();
     const Kernels& kernels = kernels_for("");
-    TouchTest touch;
+    TouchFinder touch;
     touch.forget(list);
     std::vector<std::uint64_t> expected;
     std::vector<std::uint64_t> before(list.words());

@@ -1,4 +1,4 @@
-#include "core/contact/touch_test.hpp"
+#include "core/contact/touch_finder.hpp"
 
 #include "core/contact/bits.hpp"
 
@@ -68,22 +68,22 @@ void test_pairs(const ParticleState& particles,
                   });
 }
 
-void TouchTest::forget(const PairList& list) {
+void TouchFinder::forget(const PairList& list) {
     bits_.assign(list.words(), 0);
     margin_ = 0.0;
     tests_of_all_ = 0;
 }
 
-void TouchTest::add_travel(double bound) {
+void TouchFinder::add_travel(double bound) {
     travel_ += bound;
     last_travel_ = bound;
 }
 
-bool TouchTest::test(const ParticleState& particles,
-                     const PairList& list,
-                     double reach,
-                     const Kernels& kernels,
-                     const Workers& workers) {
+bool TouchFinder::test(const ParticleState& particles,
+                       const PairList& list,
+                       double reach,
+                       const Kernels& kernels,
+                       const Workers& workers) {
     const double wanted =
         std::max(steps_ * last_travel_, least_margin * particles.smallest_radius());
     if (doubtful_are_all(reach) && margin_ <= too_wide * wanted) {
@@ -99,12 +99,12 @@ bool TouchTest::test(const ParticleState& particles,
     return true;
 }
 
-void TouchTest::test_and_doubt(const ParticleState& particles,
-                               const PairList& list,
-                               double reach,
-                               double margin,
-                               const Kernels& kernels,
-                               const Workers& workers) {
+void TouchFinder::test_and_doubt(const ParticleState& particles,
+                                 const PairList& list,
+                                 double reach,
+                                 double margin,
+                                 const Kernels& kernels,
+                                 const Workers& workers) {
     bits_.resize(list.words());
     doubt_bits_.resize(list.words());
     for_each_part(query_of(particles, list, 1.0, reach),
@@ -120,14 +120,14 @@ void TouchTest::test_and_doubt(const ParticleState& particles,
     reach_ = reach;
 }
 
-bool TouchTest::doubtful_are_all(double reach) const {
+bool TouchFinder::doubtful_are_all(double reach) const {
     return reach == reach_ && travel_ < (1.0 - rounding) * margin_;
 }
 
 /// The others keep their bits.
-bool TouchTest::test_doubtful(const ParticleState& particles,
-                              const Kernels& kernels,
-                              const Workers& workers) {
+bool TouchFinder::test_doubtful(const ParticleState& particles,
+                                const Kernels& kernels,
+                                const Workers& workers) {
     std::swap(touch_, touched_before_);
     test_pairs(particles, doubtful_.list(), reach_, touch_, kernels, workers);
     if (!are_tested_) {
@@ -151,7 +151,7 @@ bool TouchTest::test_doubtful(const ParticleState& particles,
 }
 
 /// Chooses how long the next list of pairs in doubt is to last, and whether this one pays.
-void TouchTest::judge(const PairList& list) {
+void TouchFinder::judge(const PairList& list) {
     const Index all = list.count;
     const Index count = doubtful_.list().count;
     // In tests of one pair: a test of the pairs in doubt at each step and the share in listing
