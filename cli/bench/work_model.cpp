@@ -72,7 +72,7 @@ Work work_of(const WorkCounts& n, const Contact& contact, bool automatic_step) {
     // Motion: position and velocity of all; force, torque and spin of those that are loaded.
     work.bytes += 2.0 * 2.0 * packet + 2.0 * flag + kicked * 2.0 * 3.0 * packet;
     work.operations += drift_operations + kicked * kick_operations;
-    // Which objects touch.
+    // Which objects touch: all are charged, of which those in doubt are tested (TouchFinder).
     work.bytes += packet + n.objects * (pair + bit);
     work.operations += n.objects * test_operations;
     // Contacts.
