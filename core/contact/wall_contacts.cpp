@@ -216,10 +216,27 @@ void WallContacts::find_hits(const ParticleState& particles,
     append_bits(now_, first_word, last_word, part.near);
     part.hits.clear();
     for_each_particle(list, part.near, [&](std::span<const Index> places) {
-        if (!add_faces(particles, wall, places, part)) {
+        if (places.size() == 1 && has_bit(face_, places[0])) {
+            part.hits.push_back(to_space(face_hit(wall.surface(), places[0]), wall));
+        } else if (!add_faces(particles, wall, places, part)) {
             resolve(particles, wall, extra, places, part);
         }
     });
+}
+
+/// The contact with the face of an entry, in the wall's frame.
+WallContacts::Hit WallContacts::face_hit(const Surface& surface, Index place) const {
+    const double height = height_[place];
+    const double* plane = surface.planes().data() + 16 * std::size_t{objects_.list().j[place]};
+    const Vec3 up{plane[0], plane[1], plane[2]};
+    return {place, height > 0.0 ? -up : up, std::abs(height)};
+}
+
+WallContacts::Hit WallContacts::to_space(Hit hit, const WallBody& wall) {
+    if (wall.is_turned()) {
+        hit.normal = wall.direction_to_space(hit.normal);
+    }
+    return hit;
 }
 
 /// Faces in different places need no rule. False, and nothing added, if these entries do.
@@ -229,12 +246,8 @@ bool WallContacts::add_faces(const ParticleState& particles,
                              Part& part) const {
     std::vector<Hit>& hits = part.hits;
     const std::size_t first = hits.size();
-    const double* planes = wall.surface().planes().data();
     for (const Index place : places) {
-        const double height = height_[place];
-        const double* plane = planes + 16 * std::size_t{objects_.list().j[place]};
-        const Vec3 up{plane[0], plane[1], plane[2]};
-        const Hit hit{place, height > 0.0 ? -up : up, std::abs(height)};
+        const Hit hit = face_hit(wall.surface(), place);
         bool is_apart = has_bit(face_, place);
         for (std::size_t h = first; h < hits.size(); ++h) {
             const Vec3 apart = hit.distance * hit.normal - hits[h].distance * hits[h].normal;
@@ -248,7 +261,7 @@ bool WallContacts::add_faces(const ParticleState& particles,
         hits.push_back(hit);
     }
     for (std::size_t h = first; h < hits.size(); ++h) {
-        hits[h].normal = wall.direction_to_space(hits[h].normal);
+        hits[h] = to_space(hits[h], wall);
     }
     return true;
 }

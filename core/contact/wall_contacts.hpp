@@ -169,6 +169,8 @@ private:
                    double extra,
                    const Kernels& kernels,
                    Part& part);
+    Hit face_hit(const Surface& surface, Index place) const;
+    static Hit to_space(Hit hit, const WallBody& wall);
     bool add_faces(const ParticleState& particles,
                    const WallBody& wall,
                    std::span<const Index> places,
