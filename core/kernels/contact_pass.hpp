@@ -285,9 +285,10 @@ GRAINBENCH_FLATTEN void pair_pass(const PairPass& wanted) {
         const Pack distance = square_root(dot(apart, apart));
         // Coincident centres have no direction: any will do, and it must be a number.
         const Mask together = !(Pack{} < distance);
-        const Pack inverse = Pack(1.0) / select(together, Pack(1.0), distance);
-        g.normal = inverse * apart;
-        g.normal.z = select(together, Pack(1.0), g.normal.z);
+        g.normal = (Pack(1.0) / distance) * apart;
+        if (any(together)) {
+            g.normal = select(together, {Pack{}, Pack{}, Pack(1.0)}, g.normal);
+        }
         g.overlap = larger(Pack{}, at_i.w + at_j.w - distance);
         b.lever_i = at_i.w - lever_cut * g.overlap;
         b.lever_j = at_j.w - lever_cut * g.overlap;

@@ -74,6 +74,14 @@ inline Pack select(Mask mask, Pack yes, Pack no) {
     return hn::IfThenElse(mask.m, yes.v, no.v);
 }
 
+inline Pack larger(Pack a, Pack b) {
+    return hn::Max(b.v, a.v);
+}
+
+inline Pack smaller(Pack a, Pack b) {
+    return hn::Min(a.v, b.v);
+}
+
 inline Pack square_root(Pack a) {
     return hn::Sqrt(a.v);
 }
