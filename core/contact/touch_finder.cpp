@@ -161,9 +161,11 @@ void TouchFinder::judge(const PairList& list) {
         margin_ = 0.0;
         tests_of_all_ = tests_without_doubt;
     }
-    if (8 * count < all) {
+    const double tests = count * steps_;
+    const double listing = 1.3 * all;
+    if (2.0 * tests < listing) {
         steps_ = std::min(2.0 * steps_, most_steps);
-    } else if (2 * count > all) {
+    } else if (tests > 2.0 * listing) {
         steps_ = std::max(0.5 * steps_, least_steps);
     }
 }

@@ -239,14 +239,25 @@ inline constexpr std::size_t cached_particles = 4000;
 
 /// Asks for what a later block will read. Its partners lie in a dozen places at once, more than
 /// processors follow by themselves.
+inline void fetch_row(const ParticleView& p, std::size_t row) {
+    __builtin_prefetch(p.position + 4 * row, 1);
+    __builtin_prefetch(p.motion + motion_row * row, 1);
+    __builtin_prefetch(p.motion + motion_row * row + force_packet, 1);
+}
+
 inline void fetch_ahead(const PairPass& pass, Index first, Index row_packets) {
-    const ParticleView& p = pass.particles;
     for (Index l = 0; l < width; ++l) {
         const Index place = pass.touching[first + l].place();
-        const std::size_t row = pass.j[place];
-        __builtin_prefetch(p.position + 4 * row, 1);
-        __builtin_prefetch(p.motion + motion_row * row, 1);
-        __builtin_prefetch(p.motion + motion_row * row + force_packet, 1);
+        fetch_row(pass.particles, pass.j[place]);
+        __builtin_prefetch(pass.rows + 4 * std::size_t{row_packets} * place, 1);
+    }
+}
+
+/// The same of contacts with a wall, whose particles are not neighbours in memory.
+inline void fetch_ahead(const WallPass& pass, Index first, Index row_packets) {
+    for (Index l = 0; l < width; ++l) {
+        const Index place = pass.touching[first + l].place();
+        fetch_row(pass.particles, pass.particle[place]);
         __builtin_prefetch(pass.rows + 4 * std::size_t{row_packets} * place, 1);
     }
 }
@@ -389,8 +400,12 @@ GRAINBENCH_FLATTEN void wall_pass(const WallPass& pass) {
     const Vec3Of<Pack> wall_spin = spread(pass.spin);
     const Vec3Of<Pack> centre = spread(pass.centre);
     LawValues<Laws> values(laws, pass.laws);
+    const bool is_far = p.count > cached_particles;
     for (Index first = 0; first < pass.touching_count; first += width) {
         const Block block(pass.touching + first, pass.touching_count - first);
+        if (is_far && first + 4 * width < pass.touching_count) {
+            fetch_ahead(pass, first + 3 * width, row_packets);
+        }
         Index row[width];
         for (Index l = 0; l < width; ++l) {
             row[l] = pass.particle[block.place[l]];
