@@ -131,6 +131,7 @@ void PairContacts::renew_objects(const ParticleState& particles, const Kernels& 
             found_.data());
     }
     objects_.renew(candidates_, {found_.data(), count}, RowOwners(particles));
+    release_if_large(found_);
     touch_.forget(objects_.list());
     cut_into_slabs(particles);
     just_renewed_ = true;

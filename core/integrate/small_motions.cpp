@@ -18,6 +18,13 @@ SmallMotions::SmallMotions(const ParticleState& particles,
                            std::span<const WallBody> walls,
                            std::span<const WallContacts> wall_contacts,
                            const ContactTable& table) {
+    std::size_t contacts = pairs.touching().size();
+    for (const WallContacts& with_wall : wall_contacts) {
+        contacts += with_wall.touching_count();
+    }
+    springs_.reserve(contacts);
+    inverse_mass_.reserve(particles.size());
+    inverse_inertia_.reserve(particles.size());
     for (Index slot = 0; slot < particles.size(); ++slot) {
         inverse_mass_.push_back(particles.inverse_mass(slot));
         inverse_inertia_.push_back(particles.inverse_inertia(slot));

@@ -67,6 +67,9 @@ struct PairList {
     void pad() {
         const std::size_t padded = (static_cast<std::size_t>(count) + 63) / 64 * 64;
         for (Column<Index>* column : {&i, &j}) {
+            if (column->capacity() < padded) {
+                column->reserve(padded + padded / 16);  // and not twice as much
+            }
             column->resize(count);
             column->resize(padded, 0);
         }
