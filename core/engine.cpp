@@ -609,8 +609,8 @@ void Engine::add_forces(double timestep) {
     if (std::holds_alternative<ScaledTimestep>(scheme_)) {
         particles_.load_weight(scene_gravity_);
     }
-    has_records_ = keep_records_ || want_records_;
-    want_records_ = false;
+    has_records_ = keep_records_ ? Records::all : want_records_;
+    want_records_ = Records::none;
     pairs_.add_forces(particles_, table_, timestep, has_records_, *kernels_, workers_);
     if (particles_.has_images()) {
         particles_.fold_images();

@@ -71,10 +71,18 @@ public:
 
     /// Lets the contacts of the next cycle leave records, which contact frames and fields read.
     /// With a ledger all cycles do.
-    void want_records() { want_records_ = true; }
+    void want_records() { want_records_ = Records::all; }
+
+    /// The same of the energies of their springs alone.
+    void want_stored_energies() {
+        want_records_ = want_records_ == Records::all ? Records::all : Records::stored_energy;
+    }
 
     /// Whether the last cycle left records.
-    bool has_records() const { return has_records_; }
+    bool has_records() const { return has_records_ == Records::all; }
+
+    /// Whether it left the energies of springs, with or without the rest.
+    bool has_stored_energies() const { return has_records_ != Records::none; }
 
     /// Acceleration that acts on velocities; zero where gravity is among the forces.
     const Vec3& gravity() const { return body_.gravity; }
@@ -185,8 +193,8 @@ private:
     BodyForces body_;
     DrivenGroups driven_;
     bool keep_records_ = false;
-    bool want_records_ = false;
-    bool has_records_ = false;
+    Records want_records_ = Records::none;
+    Records has_records_ = Records::none;
     std::vector<WallBody> walls_;
     std::vector<WallContacts> wall_contacts_;
     ParticleState particles_;

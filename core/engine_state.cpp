@@ -86,18 +86,18 @@ void Engine::save(Archive& archive) const {
                                     distance_when_sorted_});
     // Those of a cycle that left them for once are done with when it is saved; only the very first
     // state is looked at again after a restart. They are as much as all else together.
-    const bool saves_records = has_records_ && (keep_records_ || cycle_ == 0);
-    archive.put("engine/has_records", std::uint64_t{saves_records});
+    const Records saved = keep_records_ || cycle_ == 0 ? has_records_ : Records::none;
+    archive.put("engine/has_records", static_cast<std::uint64_t>(saved));
     particles_.save(archive);
     if (orientations_) {
         orientations_->save(archive);
     }
     driven_.save(archive);
-    pairs_.save(archive, saves_records);
+    pairs_.save(archive, saved);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         const std::string name = "wall-" + std::to_string(w + 1);
         walls_[w].save(archive, name);
-        wall_contacts_[w].save(archive, name + "/contacts", saves_records);
+        wall_contacts_[w].save(archive, name + "/contacts", saved);
     }
     if (ledger_) {
         ledger_->save(archive);
@@ -123,11 +123,15 @@ void Engine::load(const Archive& archive) {
         orientations_->load(archive, particles_.size());
     }
     driven_.load(archive, particles_);
-    pairs_.load(archive, particles_);
+    const std::uint64_t saved = archive.count("engine/has_records");
+    Archive::require(saved <= static_cast<std::uint64_t>(Records::stored_energy),
+                     "engine/has_records");
+    has_records_ = static_cast<Records>(saved);
+    pairs_.load(archive, particles_, has_records_);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         const std::string name = "wall-" + std::to_string(w + 1);
         walls_[w].load(archive, name);
-        wall_contacts_[w].load(archive, name + "/contacts", particles_, walls_[w]);
+        wall_contacts_[w].load(archive, name + "/contacts", particles_, walls_[w], has_records_);
     }
     if (ledger_) {
         ledger_->load(archive);
@@ -135,11 +139,10 @@ void Engine::load(const Archive& archive) {
     if (traffic_) {
         traffic_->load(archive);
     }
-    has_records_ = archive.count("engine/has_records") != 0;
     const bool has_all = std::all_of(wall_contacts_.begin(),
                                      wall_contacts_.end(),
                                      [](const auto& wall) { return wall.has_all_records(); });
-    Archive::require((pairs_.has_all_records() && has_all) || !(has_records_ || keep_records_),
+    Archive::require((pairs_.has_all_records() && has_all) || !(has_records() || keep_records_),
                      "pairs/records");
 }
 

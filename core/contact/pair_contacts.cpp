@@ -52,18 +52,9 @@ double PairContacts::candidate_reach(const ParticleState& particles) const {
 void PairContacts::change_population(const PopulationChange& change,
                                      const ParticleState& after,
                                      const ContactTable& table) {
-    const bool has_records = has_all_records();
-    const Renumbered touching = objects_.renumber(change, true, table.turned_columns());
-    if (has_records) {
-        pick_rows(records_, touching.touching_before, record_size);
-        for (std::size_t t = 0; t < touching.turned.size(); ++t) {
-            if (touching.turned[t]) {
-                turn_record(records_.data() + t * record_size);
-            }
-        }
-    } else {
-        records_.clear();
-    }
+    const std::size_t count_before = touching().size();
+    const Renumbered renumbered = objects_.renumber(change, true, table.turned_columns());
+    records_.renumber(renumbered, count_before, turn_record);
     candidates_.clear();
     candidates_.pad();
     touch_.forget(objects_.list());
@@ -249,14 +240,10 @@ std::size_t PairContacts::first_touching(std::size_t slab) const {
 void PairContacts::add_forces(ParticleState& particles,
                               const ContactTable& table,
                               double timestep,
-                              bool records,
+                              Records records,
                               const Kernels& kernels,
                               const Workers& workers) {
-    if (records) {
-        records_.resize(touching().size() * record_size);
-    } else {
-        release_if_large(records_);
-    }
+    records_.prepare(records, touching().size());
     // Where most particles touch something, marking them contact by contact costs more than it
     // saves (Engine::few_are_loaded).
     const bool many_touch = 4 * touching().size() >= particles.size();
@@ -271,15 +258,15 @@ void PairContacts::add_forces(ParticleState& particles,
                        .touching_count = static_cast<Index>(touching().size()),
                        .marks_loaded = !many_touch,
                        .rows = objects_.rows(),
-                       .records = records ? records_.data() : nullptr};
+                       .records = nullptr,
+                       .stored = nullptr};
     for_each_slab(workers, [&](std::size_t slab) {
         const std::size_t first = first_touching(slab);
         PairPass pass = all;
         pass.touching += first;
         pass.touching_count = static_cast<Index>(first_touching(slab + 1) - first);
-        if (records) {
-            pass.records += first * record_size;
-        }
+        pass.records = records_.rows_from(first);
+        pass.stored = records_.stored_from(first);
         kernels.pair_pass(pass);
     });
 }
@@ -311,7 +298,7 @@ void PairContacts::add_steps(ParticleState& particles,
     });
 }
 
-void PairContacts::save(Archive& archive, bool records) const {
+void PairContacts::save(Archive& archive, Records records) const {
     clock_.save(archive, "pairs");
     archive.put(
         "pairs/candidate_i",
@@ -320,13 +307,11 @@ void PairContacts::save(Archive& archive, bool records) const {
         "pairs/candidate_j",
         std::vector<Index>(candidates_.j.begin(), candidates_.j.begin() + candidates_.count));
     objects_.save(archive, "pairs/objects");
-    archive.put(
-        "pairs/records",
-        records ? std::vector<double>(records_.begin(), records_.end()) : std::vector<double>());
+    records_.save(archive, "pairs", records);
     archive.put("pairs/counters", std::vector<std::uint64_t>{late_, renewals_, builds_});
 }
 
-void PairContacts::load(const Archive& archive, const ParticleState& particles) {
+void PairContacts::load(const Archive& archive, const ParticleState& particles, Records records) {
     const std::size_t size = particles.size();
     clock_.load(archive, "pairs", particles);
     const std::size_t rows = particles.row_count();
@@ -335,8 +320,7 @@ void PairContacts::load(const Archive& archive, const ParticleState& particles) 
     objects_.load(archive, "pairs/objects", size, rows, owner);
     touch_.forget(objects_.list());
     cut_into_slabs(particles);
-    const auto& records = archive.get<double>("pairs/records");
-    records_.assign(records.begin(), records.end());
+    records_.load(archive, "pairs", records, touching().size());
     const auto& counters = archive.get<std::uint64_t>("pairs/counters", 3);
     late_ = counters[0];
     renewals_ = counters[1];

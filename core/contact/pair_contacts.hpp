@@ -7,6 +7,7 @@
 #pragma once
 
 #include "core/contact/contact_objects.hpp"
+#include "core/contact/contact_records.hpp"
 #include "core/contact/contact_table.hpp"
 #include "core/contact/touch_finder.hpp"
 #include "core/search/candidates.hpp"
@@ -70,7 +71,7 @@ public:
     void add_forces(ParticleState& particles,
                     const ContactTable& table,
                     double timestep,
-                    bool records,
+                    Records records,
                     const Kernels& kernels,
                     const Workers& workers = {});
 
@@ -96,10 +97,11 @@ public:
     /// By place in objects(), ascending.
     std::span<const TouchingContact> touching() const { return objects_.touching(); }
 
-    /// Of touching contact t; only where forces were added with records.
-    const double* record(Index t) const {
-        return records_.data() + static_cast<std::size_t>(t) * record_size;
-    }
+    /// Of touching contact t; only where forces were added with all records.
+    const double* record(Index t) const { return records_.row(t); }
+
+    /// Elastic energy of touching contact t [J]; only where forces were added with any records.
+    double stored_energy(Index t) const { return records_.stored(t); }
 
     Index candidate_count() const { return candidates_.count; }
 
@@ -109,12 +111,12 @@ public:
 
     std::uint64_t candidate_builds() const { return builds_; }
 
-    /// \param records whether those of the last forces are needed again
-    void save(Archive& archive, bool records) const;
-    void load(const Archive& archive, const ParticleState& particles);
+    /// \param records which of the last forces are needed again
+    void save(Archive& archive, Records records) const;
+    void load(const Archive& archive, const ParticleState& particles, Records records);
 
-    /// Whether records() has one record for each touching contact.
-    bool has_all_records() const { return records_.size() == touching().size() * record_size; }
+    /// Whether there is one record for each touching contact.
+    bool has_all_records() const { return records_.has_rows(touching().size()); }
 
 private:
     void build_candidates(const ParticleState& particles, const Kernels& kernels);
@@ -152,7 +154,7 @@ private:
     PairSelection counting_;             ///< objects whose sums were asked for last
     bool just_renewed_ = false;
     std::vector<Index> slab_start_;  ///< by slab: first place; one more at the end
-    Column<double> records_;
+    ContactRecords records_;
     std::uint64_t late_ = 0, renewals_ = 0, builds_ = 0;
 };
 

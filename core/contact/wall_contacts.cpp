@@ -63,14 +63,10 @@ Renewal WallContacts::update(std::uint64_t cycle,
 }
 
 void WallContacts::change_population(const PopulationChange& change, const ParticleState& after) {
-    const bool has_records = has_all_records();
-    const Renumbered touching = objects_.renumber(change, false);
-    pick_rows(force_, touching.touching_before, 4);
-    if (has_records) {
-        pick_rows(records_, touching.touching_before, record_size);
-    } else {
-        records_.clear();
-    }
+    const std::size_t count_before = touching_count();
+    const Renumbered renumbered = objects_.renumber(change, false);
+    pick_rows(force_, renumbered.touching_before, 4);
+    records_.renumber(renumbered, count_before, [](double*) {});  // a wall is never body i
     candidates_.clear();
     candidates_.pad();
     clearances_.clear();
@@ -422,32 +418,30 @@ void WallContacts::add_forces(ParticleState& particles,
                               const WallBody& wall,
                               const ContactTable& table,
                               double timestep,
-                              bool records,
+                              Records records,
                               const Kernels& kernels,
                               const Workers& workers) {
     const std::size_t count = touching_count();
-    if (records) {
-        records_.resize(count * record_size);
-    }
+    records_.prepare(records, count);
     force_.resize(4 * count);
     const WallVelocity& velocity = wall.velocity();
     const Vec3& centre = wall.rotation_centre();
     const ParticleView view = particles.view();
     workers.for_each(parts_.size(), [&](std::size_t p) {
         const auto [first, last] = touching_of(parts_[p]);
-        kernels.wall_pass(
-            {.particles = view,
-             .laws = table.view(timestep),
-             .particle = objects_.list().i.data(),
-             .touching = objects_.touching().data() + first,
-             .touching_count = last - first,
-             .velocity = {velocity.linear.x, velocity.linear.y, velocity.linear.z},
-             .spin = {velocity.angular.x, velocity.angular.y, velocity.angular.z},
-             .centre = {centre.x, centre.y, centre.z},
-             .material = static_cast<double>(wall.material()),
-             .rows = objects_.rows(),
-             .force = force_.data() + 4 * std::size_t{first},
-             .records = records ? records_.data() + record_size * std::size_t{first} : nullptr});
+        kernels.wall_pass({.particles = view,
+                           .laws = table.view(timestep),
+                           .particle = objects_.list().i.data(),
+                           .touching = objects_.touching().data() + first,
+                           .touching_count = last - first,
+                           .velocity = {velocity.linear.x, velocity.linear.y, velocity.linear.z},
+                           .spin = {velocity.angular.x, velocity.angular.y, velocity.angular.z},
+                           .centre = {centre.x, centre.y, centre.z},
+                           .material = static_cast<double>(wall.material()),
+                           .rows = objects_.rows(),
+                           .force = force_.data() + 4 * std::size_t{first},
+                           .records = records_.rows_from(first),
+                           .stored = records_.stored_from(first)});
     });
 }
 
@@ -517,7 +511,7 @@ std::size_t WallContacts::compute_object_count(const ParticleState& particles,
     return count;
 }
 
-void WallContacts::save(Archive& archive, const std::string& name, bool records) const {
+void WallContacts::save(Archive& archive, const std::string& name, Records records) const {
     clock_.save(archive, name);
     archive.put(
         name + "/candidate_particle",
@@ -527,16 +521,15 @@ void WallContacts::save(Archive& archive, const std::string& name, bool records)
         std::vector<Index>(candidates_.j.begin(), candidates_.j.begin() + candidates_.count));
     objects_.save(archive, name + "/objects");
     archive.put(name + "/force", std::vector<double>(force_.begin(), force_.end()));
-    archive.put(
-        name + "/records",
-        records ? std::vector<double>(records_.begin(), records_.end()) : std::vector<double>());
+    records_.save(archive, name, records);
     archive.put(name + "/late", late_);
 }
 
 void WallContacts::load(const Archive& archive,
                         const std::string& name,
                         const ParticleState& particles,
-                        const WallBody& wall) {
+                        const WallBody& wall,
+                        Records records) {
     const std::size_t size = particles.size();
     const std::size_t patches = wall.surface().patch_count();
     clock_.load(archive, name, particles);
@@ -547,8 +540,7 @@ void WallContacts::load(const Archive& archive,
     cut_into_parts();
     const auto& force = archive.get<double>(name + "/force", 4 * std::size_t{touching_count()});
     force_.assign(force.begin(), force.end());
-    const auto& records = archive.get<double>(name + "/records");
-    records_.assign(records.begin(), records.end());
+    records_.load(archive, name, records, touching_count());
     late_ = archive.count(name + "/late");
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/contact/contact_objects.hpp"
+#include "core/contact/contact_records.hpp"
 #include "core/contact/contact_table.hpp"
 #include "core/search/list_clock.hpp"
 #include "core/walls/wall_body.hpp"
@@ -50,7 +51,7 @@ public:
                     const WallBody& wall,
                     const ContactTable& table,
                     double timestep,
-                    bool records,
+                    Records records,
                     const Kernels& kernels,
                     const Workers& workers);
 
@@ -86,9 +87,9 @@ public:
     /// Closest point of the wall [m].
     Vec3 point(const ParticleState& particles, Index t) const;
 
-    const double* record(Index t) const {
-        return records_.data() + static_cast<std::size_t>(t) * record_size;
-    }
+    const double* record(Index t) const { return records_.row(t); }
+
+    double stored_energy(Index t) const { return records_.stored(t); }
 
     /// Contact objects: contacts within the detection tolerance, among the entries of the list.
     std::size_t compute_object_count(const ParticleState& particles, const WallBody& wall) const;
@@ -96,16 +97,15 @@ public:
     std::uint64_t late_count() const { return late_; }
 
     /// \param records see PairContacts
-    void save(Archive& archive, const std::string& name, bool records) const;
+    void save(Archive& archive, const std::string& name, Records records) const;
     void load(const Archive& archive,
               const std::string& name,
               const ParticleState& particles,
-              const WallBody& wall);
+              const WallBody& wall,
+              Records records);
 
-    /// Whether records() has one record for each touching contact.
-    bool has_all_records() const {
-        return records_.size() == std::size_t{touching_count()} * record_size;
-    }
+    /// Whether there is one record for each touching contact.
+    bool has_all_records() const { return records_.has_rows(touching_count()); }
 
 private:
     struct Hit {
@@ -197,7 +197,8 @@ private:
     std::vector<std::uint64_t> face_, doubt_, now_;  ///< bit by entry
     Column<double> height_;                          ///< [m] by entry
     std::vector<Part> parts_;
-    Column<double> force_, records_;
+    Column<double> force_;
+    ContactRecords records_;
     std::uint64_t late_ = 0;
 };
 

@@ -135,7 +135,7 @@ GuardWatch::GuardWatch(const Scene& scene, Engine& engine)
         holds_.push_back(std::move(hold));
     }
     if (watches_energy(engine)) {
-        engine.want_records();
+        engine.want_stored_energies();
     }
 }
 
@@ -186,7 +186,7 @@ bool GuardWatch::watches_energy(const Engine& engine) const {
 
 void GuardWatch::before_step(Engine& engine) const {
     if (is_due(engine.cycle() + 1) && watches_energy(engine)) {
-        engine.want_records();
+        engine.want_stored_energies();
     }
 }
 
@@ -200,7 +200,7 @@ void GuardWatch::after_step(Engine& engine) {
     check_timestep(engine);
     if (is_due(engine.cycle())) {
         look(engine);
-        if (engine.has_records() && watches_energy(engine)) {
+        if (engine.has_stored_energies() && watches_energy(engine)) {
             check_energy(engine);
         }
         // At these cycles alone, so that when checkpoints are written does not change a run.
@@ -217,7 +217,7 @@ void GuardWatch::look(const Engine& engine) {
     if (guards_.lost.action != LostAction::remove) {
         check_lost(engine);
     }
-    if (!has_budget_ && engine.has_records() && watches_energy(engine)) {
+    if (!has_budget_ && engine.has_stored_energies() && watches_energy(engine)) {
         check_energy(engine);
     }
 }
@@ -482,11 +482,11 @@ GuardWatch::Energy GuardWatch::energy_of(const Engine& engine) const {
         }
     }
     for (Index t = 0; t < engine.pairs().touching().size(); ++t) {
-        energy.motion += engine.pairs().record(t)[record_stored];
+        energy.motion += engine.pairs().stored_energy(t);
     }
     for (const WallContacts& contacts : engine.wall_contacts()) {
         for (Index t = 0; t < contacts.touching_count(); ++t) {
-            energy.motion += contacts.record(t)[record_stored];
+            energy.motion += contacts.stored_energy(t);
         }
     }
     return energy;

@@ -18,11 +18,11 @@ SmallMotions::SmallMotions(const ParticleState& particles,
                            std::span<const WallBody> walls,
                            std::span<const WallContacts> wall_contacts,
                            const ContactTable& table) {
-    std::size_t contacts = pairs.touching().size();
-    for (const WallContacts& with_wall : wall_contacts) {
-        contacts += with_wall.touching_count();
+    std::size_t count = pairs.touching().size();
+    for (const WallContacts& contacts : wall_contacts) {
+        count += contacts.touching_count();
     }
-    springs_.reserve(contacts);
+    springs_.reserve(count);
     inverse_mass_.reserve(particles.size());
     inverse_inertia_.reserve(particles.size());
     for (Index slot = 0; slot < particles.size(); ++slot) {

@@ -135,12 +135,23 @@ struct ForceOnJ {
     }
 };
 
-/// Writes the records of `valid` contacts.
-inline void keep_records(const Load<Pack>& load,
-                         const Geometry<Pack>& g,
-                         const Bodies& b,
-                         Index valid,
-                         double* records) {
+/// Writes what a pass asks for of `valid` contacts, the first of which is `first`.
+template <class Pass>
+void keep_records(const Pass& pass,
+                  Index first,
+                  const Load<Pack>& load,
+                  const Geometry<Pack>& g,
+                  const Bodies& b,
+                  Index valid) {
+    double lanes[width];
+    if (pass.stored != nullptr) {
+        store(load.stored, lanes);
+        std::copy_n(lanes, valid, pass.stored + first);
+    }
+    if (pass.records == nullptr) {
+        return;
+    }
+    double* const records = pass.records + static_cast<std::size_t>(first) * record_size;
     const Vec3Of<Pack> damping = load.normal_damping * g.normal + load.shear_damping;
     const Pack columns[record_size] = {damping.x,
                                        damping.y,
@@ -159,7 +170,6 @@ inline void keep_records(const Load<Pack>& load,
                                        load.moment.x,
                                        load.moment.y,
                                        load.moment.z};
-    double lanes[width];
     for (Index field = 0; field < record_size; ++field) {
         store(columns[field], lanes);
         for (Index l = 0; l < valid; ++l) {
@@ -343,11 +353,7 @@ GRAINBENCH_FLATTEN void pair_pass(const PairPass& wanted) {
         history.store(pass.rows, block.place, block.valid, packets, packets);
         if constexpr (keeps_records) {
             add_energies(laws, values, g, history.in, load);
-            keep_records(load,
-                         g,
-                         b,
-                         block.valid,
-                         pass.records + static_cast<std::size_t>(first) * record_size);
+            keep_records(pass, first, load, g, b, block.valid);
         }
 
         const ForceOnJ force(laws, load, g);
@@ -459,11 +465,7 @@ GRAINBENCH_FLATTEN void wall_pass(const WallPass& pass) {
         history.store(pass.rows, block.place, block.valid, packets, row_packets);
         if constexpr (keeps_records) {
             add_energies(laws, values, g, history.in, load);
-            keep_records(load,
-                         g,
-                         b,
-                         block.valid,
-                         pass.records + static_cast<std::size_t>(first) * record_size);
+            keep_records(pass, first, load, g, b, block.valid);
         }
 
         const ForceOnJ force(laws, load, g);

@@ -188,6 +188,7 @@ struct PairPass {
     bool marks_loaded;  ///< false where all particles are marked already
     double* rows;       ///< by place: history_packets(size) packets
     double* records;    ///< by touching contact; null where none are kept
+    double* stored;     ///< [J] elastic energy by touching contact; null where not asked for
 };
 
 /// Packets that hold the history of one contact.
@@ -209,6 +210,7 @@ struct WallPass {
     double* rows;     ///< by place: history, then a packet {normal to the wall [1], distance [m]}
     double* force;    ///< packet by touching contact: force on the wall [N]
     double* records;  ///< by touching contact; null where none are kept
+    double* stored;   ///< [J] see PairPass
 };
 
 /// Sums over contacts for the stable step (core/integrate/stable_step.hpp).

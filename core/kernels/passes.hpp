@@ -26,14 +26,19 @@ void with_laws(std::size_t pass, bool keeps_records, const Act& act) {
     (std::make_index_sequence<general_pass>{});
 }
 
+template <class Pass>
+bool keeps_records(const Pass& pass) {
+    return pass.records != nullptr || pass.stored != nullptr;
+}
+
 inline void choose_pair_pass(const PairPass& pass) {
-    with_laws(pass.laws.pass, pass.records != nullptr, [&]<class Laws, bool keeps_records>() {
+    with_laws(pass.laws.pass, keeps_records(pass), [&]<class Laws, bool keeps_records>() {
         pair_pass<Laws, keeps_records>(pass);
     });
 }
 
 inline void choose_wall_pass(const WallPass& pass) {
-    with_laws(pass.laws.pass, pass.records != nullptr, [&]<class Laws, bool keeps_records>() {
+    with_laws(pass.laws.pass, keeps_records(pass), [&]<class Laws, bool keeps_records>() {
         wall_pass<Laws, keeps_records>(pass);
     });
 }

@@ -2,6 +2,7 @@
 /// of contacts that can fill a block in part or whole; and the general pass gives those of the
 /// passes that have their laws compiled in.
 #include "core/contact/bits.hpp"
+#include "core/contact/contact_records.hpp"
 #include "core/kernels/kernels.hpp"
 #include "core/walls/surface.hpp"
 
@@ -385,7 +386,7 @@ LawView laws_of(const ContactTable& table, bool general) {
 
 Bytes pair_forces(const Kernels& kernels,
                   const LawChoice& choice,
-                  bool records,
+                  Records records,
                   Index touching,
                   bool general = false) {
     const std::uint64_t seed = seed_of(choice) + touching;
@@ -396,6 +397,7 @@ Bytes pair_forces(const Kernels& kernels,
     Column<double> rows =
         random_rows(pairs.i.size(), history_packets(table.history_size()), random);
     Column<double> record(static_cast<std::size_t>(touching) * record_size);
+    Column<double> stored(touching);
     kernels.pair_pass({.particles = p.view(),
                        .laws = laws_of(table, general),
                        .i = pairs.i.data(),
@@ -404,14 +406,18 @@ Bytes pair_forces(const Kernels& kernels,
                        .touching_count = touching,
                        .marks_loaded = true,
                        .rows = rows.data(),
-                       .records = records ? record.data() : nullptr});
-    return Bytes().add(p.motion).add(p.loaded).add(rows).add(record);
+                       .records = records == Records::all ? record.data() : nullptr,
+                       .stored = records == Records::none ? nullptr : stored.data()});
+    for (std::size_t t = 0; records == Records::all && t < stored.size(); ++t) {
+        EXPECT_EQ(stored[t], record[t * record_size + record_stored]);
+    }
+    return Bytes().add(p.motion).add(p.loaded).add(rows).add(record).add(stored);
 }
 
 TEST(InstructionSets, GiveTheSameForcesBetweenParticles) {
     for_each_set([](std::string_view isa, const Kernels& kernels) {
         for (const LawChoice& c : law_choices()) {
-            for (const bool records : {false, true}) {
+            for (const Records records : {Records::none, Records::all, Records::stored_energy}) {
                 for (Index n = 1; n <= most_contacts; ++n) {
                     EXPECT_TRUE(pair_forces(kernels, c, records, n) ==
                                 pair_forces(kernels_for("scalar"), c, records, n))
@@ -425,7 +431,7 @@ TEST(InstructionSets, GiveTheSameForcesBetweenParticles) {
 
 Bytes wall_forces(const Kernels& kernels,
                   const LawChoice& choice,
-                  bool records,
+                  Records records,
                   Index count,
                   bool general = false) {
     const std::uint64_t seed = seed_of(choice) + count;
@@ -446,6 +452,7 @@ Bytes wall_forces(const Kernels& kernels,
     }
     Column<double> force(4 * std::size_t{count}, 0.0);
     Column<double> record(static_cast<std::size_t>(count) * record_size);
+    Column<double> stored(count);
     kernels.wall_pass({.particles = p.view(),
                        .laws = laws_of(table, general),
                        .particle = particle.data(),
@@ -457,14 +464,18 @@ Bytes wall_forces(const Kernels& kernels,
                        .material = 2.0,
                        .rows = rows.data(),
                        .force = force.data(),
-                       .records = records ? record.data() : nullptr});
-    return Bytes().add(p.motion).add(p.loaded).add(rows).add(force).add(record);
+                       .records = records == Records::all ? record.data() : nullptr,
+                       .stored = records == Records::none ? nullptr : stored.data()});
+    for (std::size_t t = 0; records == Records::all && t < stored.size(); ++t) {
+        EXPECT_EQ(stored[t], record[t * record_size + record_stored]);
+    }
+    return Bytes().add(p.motion).add(p.loaded).add(rows).add(force).add(record).add(stored);
 }
 
 TEST(InstructionSets, GiveTheSameForcesOnWalls) {
     for_each_set([](std::string_view isa, const Kernels& kernels) {
         for (const LawChoice& c : law_choices()) {
-            for (const bool records : {false, true}) {
+            for (const Records records : {Records::none, Records::all, Records::stored_energy}) {
                 for (Index n = 1; n <= most_contacts; ++n) {
                     EXPECT_TRUE(wall_forces(kernels, c, records, n) ==
                                 wall_forces(kernels_for("scalar"), c, records, n))
@@ -480,7 +491,7 @@ TEST(GeneralPass, GivesTheForcesOfEveryPassOfItsOwn) {
     for (std::size_t n = 0; !available_isa(n).empty(); ++n) {
         const Kernels& kernels = kernels_for(available_isa(n));
         for (const LawChoice& c : law_choices()) {
-            for (const bool records : {false, true}) {
+            for (const Records records : {Records::none, Records::all, Records::stored_energy}) {
                 for (const Index count : {1U, 7U, 8U, 9U, 33U}) {
                     EXPECT_TRUE(pair_forces(kernels, c, records, count, true) ==
                                 pair_forces(kernels, c, records, count))

@@ -188,7 +188,8 @@ public:
              .touching_count = 1,
              .marks_loaded = true,
              .rows = rows_.data(),
-             .records = nullptr});
+             .records = nullptr,
+             .stored = nullptr});
         return {vector(0, force_packet),
                 vector(1, force_packet),
                 vector(0, torque_packet),

@@ -82,7 +82,7 @@ private:
             ++look_aheads_;
             expect_counts();
         }
-        contacts_.add_forces(particles_, table_, timestep, true, kernels);
+        contacts_.add_forces(particles_, table_, timestep, Records::all, kernels);
         const Pairs touching = touching_pairs();
         const Pairs expected = brute_force_pairs(particles_, 1.0, 0.0);
         const std::set known(known_before.begin(), known_before.end());

@@ -91,7 +91,7 @@ TEST(WallContacts, ForgetWhereParticlesWereWhoseSlotsOthersHave) {
     scene.particles.species = {{"ball", 0.001, 1500.0}};
     scene.contact.stiffness = ConstantStiffness::Params{.normal = 1000.0, .shear = 0.0};
     const ContactTable table(scene.contact, Materials(scene));
-    contacts.add_forces(particles, wall, table, timestep, false, kernels_for(""), {});
+    contacts.add_forces(particles, wall, table, timestep, Records::none, kernels_for(""), {});
     const Index leaving = 1 - contacts.particle(0);
     const PopulationChange change = particles.departure_of(std::span(&leaving, 1));
     particles.change_population(change);
