@@ -91,6 +91,7 @@ bool TouchFinder::test(const ParticleState& particles,
     }
     if (tests_of_all_ > 0) {
         --tests_of_all_;
+        margin_ = 0.0;  // what the list says of its pairs is old from here on
         test_all(particles, list, reach, kernels, workers);
     } else {
         test_and_doubt(particles, list, reach, wanted, kernels, workers);

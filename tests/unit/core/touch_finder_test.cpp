@@ -59,5 +59,50 @@ TEST(TouchFinder, AnswersAsATestOfAllPairs) {
     EXPECT_LT(doubtful_when_slow, std::size_t{steps / 2} * list.count / 100);
 }
 
+/// A look-ahead leaves a list that is far too wide once the particles slow down, and all pairs are
+/// tested meanwhile. What it says is old when they speed up again.
+TEST(TouchFinder, DoesNotGoBackToAListThatItHasPassedOver) {
+    constexpr double fast = 2e-5;  // [m] a step
+    constexpr double slow = 1e-6;
+    constexpr double near = 5.0 * fast;
+    const Kernels& kernels = kernels_for("");
+    int passed_over = 0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        std::mt19937_64 random(seed);
+        ParticleState particles = state_of(random_cloud(300, 2.0, 0.008, seed));
+        PairList list;  // of pairs that pays to doubt least: all may soon open or close
+        const auto deep = brute_force_pairs(particles, 1.0, -near);
+        for (const auto& pair : brute_force_pairs(particles, 1.0, near)) {
+            if (!std::ranges::binary_search(deep, pair)) {
+                list.append(pair.first, pair.second);
+            }
+        }
+        list.pad();
+        TouchFinder touch;
+        touch.forget(list);
+        std::vector<std::uint64_t> expected;
+        for (int step = 0; step < 30; ++step) {
+            SCOPED_TRACE("step " + std::to_string(step));
+            const bool is_slow = 8 <= step && step < 25;
+            const double way = is_slow ? slow : fast;
+            for (Index slot = 0; slot < particles.size(); ++slot) {
+                shift(particles, slot, way * normalized(in_cube(random, 1.0)));
+            }
+            touch.add_travel(way);
+            if (step == 5) {
+                touch.test_and_doubt(particles, list, 0.0, 20.0 * fast, kernels, {});
+            } else {
+                touch.test(particles, list, 0.0, kernels, {});
+            }
+            const std::vector<std::uint64_t> before = expected;
+            test_pairs(particles, list, 0.0, expected, kernels, {});
+            ASSERT_TRUE(std::ranges::equal(touch.bits(), expected));
+            passed_over += is_slow && expected != before ? 1 : 0;
+        }
+    }
+    EXPECT_GT(passed_over, 20);
+}
+
 }  // namespace
 }  // namespace grainbench
