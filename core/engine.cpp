@@ -282,14 +282,18 @@ void Engine::change_scheme(const Timestep& next) {
     }
 }
 
+/// Square of the speed of a particle that has fallen its diameter [(m/s)^2].
+double Engine::fall_square() const {
+    return 4.0 * norm(scene_gravity_) * particles_.smallest_radius();
+}
+
 /// Twice the fastest particle, or a wall against it, and what falling its diameter adds.
 double Engine::impact_speed() const {
     double speed = 2.0 * fastest_;
     for (const WallBody& wall : walls_) {
         speed = std::max(speed, wall.relative_speed_bound(fastest_, bed_velocity_));
     }
-    const double fall = 4.0 * norm(scene_gravity_) * particles_.smallest_radius();
-    return std::max(std::sqrt(speed * speed + fall), 1e-6);
+    return std::max(std::sqrt(speed * speed + fall_square()), 1e-6);
 }
 
 void Engine::step() {
@@ -453,11 +457,12 @@ void Engine::move(double timestep) {
         fastest_ = driven_.end_move(bed_velocity_, fastest_, particles_);
     }
     travel_ = fastest_ * timestep;
-    pairs_.add_travel(travel_);
+    const double fall = std::sqrt(fall_square()) * timestep;
+    pairs_.add_travel(travel_, fall);
     bed_shift_ += timestep * bed_velocity_;
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         const double travel = walls_[w].relative_speed_bound(fastest_, bed_velocity_) * timestep;
-        wall_contacts_[w].add_travel(travel);
+        wall_contacts_[w].add_travel(travel, fall);
         travel_ = std::isfinite(travel) ? std::max(travel_, travel) : travel_;
         walls_[w].move(timestep);
     }

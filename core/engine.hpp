@@ -168,6 +168,7 @@ private:
     void change_gravity(const Vec3& next);
     void change_scheme(const Timestep& next);
     double choose_timestep() const;
+    double fall_square() const;
     double impact_speed() const;
     void move(double timestep);
     MotionPass move_particles(double timestep);

@@ -163,8 +163,8 @@ void PairContacts::adopt_late_contacts(const ParticleState& particles) {
     just_renewed_ = false;
 }
 
-void PairContacts::add_travel(double bound) {
-    clock_.add_travel(bound);
+void PairContacts::add_travel(double bound, double fall) {
+    clock_.add_travel(bound, fall);
     touch_.add_travel(bound);
 }
 

@@ -11,11 +11,12 @@ constexpr double least_horizon = 1e-3;
 
 }  // namespace
 
-void ListClock::add_travel(double bound) {
+void ListClock::add_travel(double bound, double fall) {
     object_clock_.add(bound);
     candidate_clock_.add(bound);
     ahead_travel_ += bound;
     last_travel_ = bound;
+    last_fall_ = fall;
 }
 
 /// Travel of the smallest particle that the list of contact objects allows [m]: its tolerance, less
@@ -71,7 +72,8 @@ void ListClock::expire(const ParticleState& particles) {
 }
 
 void ListClock::look_ahead(double smallest_radius) {
-    horizon_ = std::max(steps_ahead * last_travel_, least_horizon * smallest_radius);
+    horizon_ =
+        std::max(steps_ahead * std::max(last_travel_, last_fall_), least_horizon * smallest_radius);
     ahead_travel_ = 0.0;
 }
 
@@ -79,7 +81,8 @@ void ListClock::save(Archive& archive, const std::string& name) const {
     object_clock_.save(archive, name + "/object_clock");
     candidate_clock_.save(archive, name + "/candidate_clock");
     archive.put(name + "/last_cycle", last_cycle_);
-    archive.put(name + "/horizon", std::vector<double>{last_travel_, ahead_travel_, horizon_});
+    archive.put(name + "/horizon",
+                std::vector<double>{last_travel_, ahead_travel_, horizon_, last_fall_});
     archive.put(name + "/expired", std::uint64_t{expired_});
 }
 
@@ -89,10 +92,12 @@ void ListClock::load(const Archive& archive,
     object_clock_.load(archive, name + "/object_clock", particles);
     candidate_clock_.load(archive, name + "/candidate_clock", particles);
     last_cycle_ = archive.count(name + "/last_cycle");
-    const auto& horizon = archive.get<double>(name + "/horizon", 3);
+    const auto& horizon = archive.get<double>(name + "/horizon");
+    Archive::require(horizon.size() == 3 || horizon.size() == 4, name + "/horizon");
     last_travel_ = horizon[0];
     ahead_travel_ = horizon[1];
     horizon_ = horizon[2];
+    last_fall_ = horizon.size() > 3 ? horizon[3] : 0.0;  // older checkpoints have none
     expired_ = archive.count(name + "/expired") != 0;
     started_ = true;
 }

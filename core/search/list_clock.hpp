@@ -6,6 +6,7 @@
 
 #include "core/search/travel_clock.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 
@@ -29,7 +30,9 @@ public:
     explicit ListClock(const SearchSettings& settings) : settings_(settings) {}
 
     /// Adds the largest distance that any particle can have moved in a step, relative to the frame.
-    void add_travel(double bound);
+    /// \param fall what one moves in such a step that has fallen a little way [m]: look-aheads last
+    /// as long as if the fastest did, for in a bed at rest all may soon move so
+    void add_travel(double bound, double fall = 0.0);
 
     /// \param shift displacement of the frame so far
     /// \param exact whether positions may be compared (frames that do not turn)
@@ -55,7 +58,9 @@ public:
     double horizon() const { return horizon_; }
 
     /// Whether it lasts for a few steps only.
-    bool horizon_is_short() const { return horizon_ <= steps_ahead * last_travel_; }
+    bool horizon_is_short() const {
+        return horizon_ <= steps_ahead * std::max(last_travel_, last_fall_);
+    }
 
     const SearchSettings& settings() const { return settings_; }
 
@@ -79,6 +84,7 @@ private:
     TravelClock object_clock_{true};
     TravelClock candidate_clock_;
     double last_travel_ = 0.0;   ///< [m] bound of the last step
+    double last_fall_ = 0.0;     ///< [m] of the last step
     double ahead_travel_ = 0.0;  ///< [m] since the look-ahead began
     double horizon_ = 0.0;
 };
