@@ -30,8 +30,10 @@ public:
     FlyingCloud(const SearchSettings& settings,
                 double speed,
                 std::uint64_t seed,
-                bool looks_ahead = false)
+                bool looks_ahead = false,
+                double fall_speed = 0.0)
         : looks_ahead_(looks_ahead),
+          fall_(fall_speed * timestep),
           random_(seed),
           particles_(state_of(random_cloud(150, 3.0, half_edge, seed))) {
         const Scene scene = springs_only();
@@ -58,7 +60,7 @@ public:
         }
         frame_ += timestep * drift_;
         bound_ = fastest * timestep;
-        contacts_.add_travel(bound_);
+        contacts_.add_travel(bound_, fall_);
         return look(cycle);
     }
 
@@ -97,14 +99,15 @@ private:
     }
 
     /// What counts for the stable step, from the sums of normal stiffness of each particle, against
-    /// all pairs that touch or may touch within two and a half steps of the fastest.
+    /// all pairs that touch or may touch within two and a half steps of the fastest, or of a fall.
     void expect_counts() {
         Column<double> shear(particles_.positions().size());
         Column<double> normal(shear.size());
         contacts_.add_steps(
             particles_, table_, false, {shear.data(), normal.data(), 0.0, 0.0}, kernels_for(""));
         std::vector<int> expected(particles_.size());
-        const double horizon = std::max(2.5 * bound_, 1e-3 * particles_.smallest_radius());
+        const double horizon = std::max(2.5 * std::max(bound_, bound_ > 0.0 ? fall_ : 0.0),
+                                        1e-3 * particles_.smallest_radius());
         for (const auto& [i, j] : brute_force_pairs(particles_, 1.0, 2.0 * horizon)) {
             ++expected[i];
             ++expected[j];
@@ -156,6 +159,7 @@ private:
     }
 
     bool looks_ahead_;
+    double fall_;  ///< [m] of a step, for the look-ahead
     std::mt19937_64 random_;
     ParticleState particles_;
     ContactTable table_;
@@ -200,6 +204,16 @@ TEST(PairContacts, MissNoTouchingPairBetweenLookAheads) {
         EXPECT_LT(cloud.look_aheads(), 600U);
         EXPECT_LT(cloud.contacts().renewals(), 100U);
     }
+}
+
+/// Where all are slower than what has fallen a little, look-aheads last as if one were as fast.
+TEST(PairContacts, LookAsFarAheadAsAFall) {
+    FlyingCloud cloud({.tolerance = 2.0, .slack = 0.00025}, 0.1, 1, true, 0.5);
+    for (std::uint64_t cycle = 1; cycle <= 1000; ++cycle) {
+        ASSERT_EQ(cloud.step(cycle), 0U) << "cycle " << cycle;
+    }
+    EXPECT_GT(cloud.look_aheads(), 60U);
+    EXPECT_LT(cloud.look_aheads(), 200U);
 }
 
 TEST(PairContacts, FindLateContactsAtTheNextSearchAndCountThem) {
