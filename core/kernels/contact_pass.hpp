@@ -247,14 +247,15 @@ struct Block {
 /// Particles whose columns a second-level cache of a megabyte holds together with their contacts.
 inline constexpr std::size_t cached_particles = 4000;
 
-/// Asks for what a later block will read. Its partners lie in a dozen places at once, more than
-/// processors follow by themselves.
+/// Asks for what contacts read and change of a particle.
 inline void fetch_row(const ParticleView& p, std::size_t row) {
     __builtin_prefetch(p.position + 4 * row, 1);
     __builtin_prefetch(p.motion + motion_row * row, 1);
     __builtin_prefetch(p.motion + motion_row * row + force_packet, 1);
 }
 
+/// Asks for what a later block will read. Its partners lie in a dozen places at once, more than
+/// processors follow by themselves.
 inline void fetch_ahead(const PairPass& pass, Index first, Index row_packets) {
     for (Index l = 0; l < width; ++l) {
         const Index place = pass.touching[first + l].place();
