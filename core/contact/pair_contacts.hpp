@@ -35,7 +35,7 @@ public:
     double mean_slot_distance() const;
 
     /// Adds the travel bound of one step, relative to the bed's frame.
-    void add_travel(double bound, double fall = 0.0);
+    void add_travel(double bound, double fall);
 
     /// Which lists are due at the present positions.
     Renewal due(std::uint64_t cycle,

@@ -30,7 +30,7 @@ public:
     void change_population(const PopulationChange& change, const ParticleState& after);
 
     /// Adds the travel bound of one step, relative to the wall.
-    void add_travel(double bound, double fall = 0.0) { clock_.add_travel(bound, fall); }
+    void add_travel(double bound, double fall) { clock_.add_travel(bound, fall); }
 
     /// Renews the lists that are due, at the present positions.
     Renewal update(std::uint64_t cycle,

@@ -32,7 +32,7 @@ public:
     /// Adds the largest distance that any particle can have moved in a step, relative to the frame.
     /// \param fall what one moves in such a step that has fallen a little way [m]: look-aheads last
     /// as long as if the fastest did, for in a bed at rest all may soon move so
-    void add_travel(double bound, double fall = 0.0);
+    void add_travel(double bound, double fall);
 
     /// \param shift displacement of the frame so far
     /// \param exact whether positions may be compared (frames that do not turn)

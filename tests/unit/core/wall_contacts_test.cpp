@@ -50,7 +50,7 @@ void expect_no_contact_missed(const WallMotion& motion, std::uint64_t seed) {
             }
             shift(particles, slot, timestep * v);
         }
-        contacts.add_travel(wall.relative_speed_bound(fastest, {}) * timestep);
+        contacts.add_travel(wall.relative_speed_bound(fastest, {}) * timestep, 0.0);
         wall.move(timestep);
     }
     EXPECT_GT(touching, 1000U);
