@@ -590,7 +590,8 @@ double Engine::sum_steps(const ContactTable& table, bool touching_only) {
         wall_contacts_[w].add_steps(
             particles_, walls_[w], table, touching_only, sums, *kernels_, workers_);
     }
-    return sums_.limit(particles_, *kernels_, workers_);
+    return sums_.limit(
+        particles_, std::holds_alternative<ScaledTimestep>(scheme_), *kernels_, workers_);
 }
 
 double Engine::compute_growth(double timestep) const {

@@ -1,7 +1,6 @@
 #include "core/contact/contact_objects.hpp"
 
 #include <algorithm>
-#include <bit>
 
 namespace grainbench {
 
@@ -14,20 +13,25 @@ std::uint64_t key(Index i, Index j) {
 }  // namespace
 
 void ContactObjects::renew(const PairList& from,
-                           std::span<const Index> found,
+                           std::span<const std::uint64_t> bits,
+                           const Kernels& kernels,
                            const RowOwners& owner) {
     std::swap(list_, list_before_);
     std::swap(acting_, acting_before_);
     std::swap(rows_, rows_before_);
-    const auto count = static_cast<Index>(found.size());
+    const auto count = static_cast<Index>(kernels.count_bits(bits.data(), bits.size()));
     list_.count = count;
     list_.pad();
-    for (Index k = 0; k < count; ++k) {
-        list_.i[k] = from.i[found[k]];
-        list_.j[k] = from.j[found[k]];
-    }
+    kernels.select_pairs({.bits = bits.data(),
+                          .words = bits.size(),
+                          .first = 0,
+                          .i = from.i.data(),
+                          .j = from.j.data(),
+                          .place = nullptr,
+                          .chosen_i = list_.i.data(),
+                          .chosen_j = list_.j.data()});
     acting_.assign(list_.words(), 0);
-    rows_.assign(stride() * list_.i.size(), 0.0);
+    rows_.resize(stride() * list_.i.size());  // all zero
     touching_.resize(list_.i.size());
     touching_count_ = 0;
     shares_.clear();
@@ -54,6 +58,7 @@ void ContactObjects::carry_over(Index count, const Owner& owner) {
             set_acting(k);
             std::copy_n(rows_before_.data() + stride() * old, stride(), row(k));
         }
+        std::fill_n(rows_before_.data() + stride() * old, stride(), 0.0);
     });
 }
 
@@ -123,6 +128,7 @@ Renumbered ContactObjects::renumber(const PopulationChange& change,
     }
     touching_count_ = result.touching_before.size();
     shares_.clear();
+    rows_before_.clear();
     forget_before();
     return result;
 }
@@ -165,10 +171,7 @@ bool ContactObjects::set_touching(std::span<const std::uint64_t> now,
         share.has_changed = !is_now(acting_);
         share.is_listed = share.is_listed && !share.has_changed && is_now(listed_);
         if (!share.is_listed) {
-            share.count = 0;
-            for (std::size_t w = first; w < last; ++w) {
-                share.count += static_cast<std::size_t>(std::popcount(now[w]));
-            }
+            share.count = kernels.count_bits(now.data() + first, last - first);
         }
     });
     touching_count_ = 0;

@@ -42,10 +42,13 @@ public:
     /// Pairs (particle, partner), by place.
     const PairList& list() const { return list_; }
 
-    /// Takes the first `count` of `found` places in `from` as the new objects. Those that act and
-    /// stay keep their history.
+    /// Takes the pairs of a list whose bits are set as the new objects. Those that act and stay
+    /// keep their history.
     /// \param owner of rows: contacts are the same if their particles are
-    void renew(const PairList& from, std::span<const Index> found, const RowOwners& owner = {});
+    void renew(const PairList& from,
+               std::span<const std::uint64_t> bits,
+               const Kernels& kernels,
+               const RowOwners& owner = {});
 
     /// Images are about to change: pairs name the particles themselves until the next renewal.
     void forget_images(const RowOwners& owner);
@@ -130,7 +133,7 @@ private:
     Index extra_packets_ = 0;
     PairList list_;
     std::vector<std::uint64_t> acting_;
-    Column<double> rows_;
+    Column<double> rows_;  ///< by place; zero where an object does not act
     Column<TouchingContact> touching_;
     std::size_t touching_count_ = 0;
     std::vector<std::uint64_t> listed_;  ///< bit by object: stands in touching_
@@ -138,7 +141,7 @@ private:
     bool all_are_listed_ = false;        ///< in all shares
     PairList list_before_;
     std::vector<std::uint64_t> acting_before_;
-    Column<double> rows_before_;
+    Column<double> rows_before_;  ///< all zero, or empty: rows of the next renewal
 };
 
 }  // namespace grainbench

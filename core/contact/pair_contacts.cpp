@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
 
 namespace grainbench {
 
 namespace {
+
+/// A reach that holds all pairs, and whose square is a number.
+constexpr double everywhere = 1e150;
 
 /// A record as it would be had i and j changed places.
 void turn_record(double* record) {
@@ -112,17 +114,12 @@ void PairContacts::leave_one_of_images(const ParticleState& particles) {
 }
 
 void PairContacts::renew_objects(const ParticleState& particles, const Kernels& kernels) {
-    found_.resize(static_cast<std::size_t>(candidates_.count) + 8);
-    Index count = candidates_.count;
-    if (clock_.settings().brute_force) {
-        std::iota(found_.begin(), found_.end(), Index{0});
-    } else {
-        count = kernels.find_pairs(
-            query_of(particles, candidates_, 1.0 + clock_.settings().tolerance, 0.0),
-            found_.data());
-    }
-    objects_.renew(candidates_, {found_.data(), count}, RowOwners(particles));
-    release_if_large(found_);
+    const SearchSettings& settings = clock_.settings();
+    const double scale = settings.brute_force ? everywhere : 1.0 + settings.tolerance;
+    within_.resize(candidates_.words());
+    kernels.test_pairs(query_of(particles, candidates_, scale, 0.0), within_.data());
+    objects_.renew(candidates_, within_, kernels, RowOwners(particles));
+    release_if_large(within_);
     touch_.forget(objects_.list());
     cut_into_slabs(particles);
     just_renewed_ = true;
@@ -196,8 +193,7 @@ bool PairContacts::test_ahead(const ParticleState& particles,
         }
         return true;
     }
-    constexpr double anywhere = 1e150;  // its square is a number
-    const double soon = clock_.settings().brute_force ? anywhere : reach + 2.0 * horizon;
+    const double soon = clock_.settings().brute_force ? everywhere : reach + 2.0 * horizon;
     test_pairs(particles, objects_.list(), soon, counts_, kernels, workers);
     return test(particles, reach, kernels, workers);
 }
@@ -279,7 +275,8 @@ void PairContacts::add_steps(ParticleState& particles,
                              const Workers& workers) {
     const bool are_listed = counts_are_doubtful_ && !touching_only;
     if (!are_listed) {
-        counting_.select(objects_.list(), touching_only ? objects_.acting() : counts_, workers);
+        counting_.select(
+            objects_.list(), touching_only ? objects_.acting() : counts_, kernels, workers);
     }
     const PairSelection& counting = are_listed ? touch_.doubtful() : counting_;
     const PairStepPass all{.particles = particles.view(),

@@ -147,7 +147,7 @@ private:
     CandidateFinder finder_;
     PairList candidates_;
     ContactObjects objects_;
-    Column<Index> found_;
+    std::vector<std::uint64_t> within_;  ///< bit by candidate: within reach of an object
     TouchFinder touch_;                  ///< of the objects
     std::vector<std::uint64_t> counts_;  ///< bit by object: counts for the stable step
     bool counts_are_doubtful_ = false;   ///< they are the pairs in doubt

@@ -3,7 +3,6 @@
 #include "core/contact/bits.hpp"
 
 #include <algorithm>
-#include <bit>
 
 namespace grainbench {
 
@@ -16,6 +15,7 @@ constexpr std::size_t part_words = 128;
 
 void PairSelection::select(const PairList& from,
                            std::span<const std::uint64_t> bits,
+                           const Kernels& kernels,
                            const Workers& workers) {
     parts_.resize((bits.size() + part_words - 1) / part_words);
     for (std::size_t p = 0; p < parts_.size(); ++p) {
@@ -24,10 +24,8 @@ void PairSelection::select(const PairList& from,
     }
     workers.for_each(parts_.size(), [&](std::size_t p) {
         Part& part = parts_[p];
-        part.count = 0;
-        for (std::size_t w = part.first_word; w < part.last_word; ++w) {
-            part.count += static_cast<Index>(std::popcount(bits[w]));
-        }
+        part.count = static_cast<Index>(
+            kernels.count_bits(bits.data() + part.first_word, part.last_word - part.first_word));
     });
     list_.count = 0;
     for (Part& part : parts_) {
@@ -37,14 +35,15 @@ void PairSelection::select(const PairList& from,
     list_.pad();
     place_.resize(list_.count);
     workers.for_each(parts_.size(), [&](std::size_t p) {
-        Index k = parts_[p].first;
-        const auto first = static_cast<Index>(64 * parts_[p].first_word);
-        const auto last = static_cast<Index>(64 * parts_[p].last_word);
-        for_each_bit(bits, first, last, [&](Index place) {
-            place_[k] = place;
-            list_.i[k] = from.i[place];
-            list_.j[k++] = from.j[place];
-        });
+        const Part& part = parts_[p];
+        kernels.select_pairs({.bits = bits.data() + part.first_word,
+                              .words = part.last_word - part.first_word,
+                              .first = static_cast<Index>(64 * part.first_word),
+                              .i = from.i.data(),
+                              .j = from.j.data(),
+                              .place = place_.data() + part.first,
+                              .chosen_i = list_.i.data() + part.first,
+                              .chosen_j = list_.j.data() + part.first});
     });
 }
 

@@ -1,6 +1,7 @@
 /// Some of the pairs of a list, side by side, in its order.
 #pragma once
 
+#include "core/kernels/kernels.hpp"
 #include "core/parallel/workers.hpp"
 #include "core/search/candidates.hpp"
 
@@ -11,7 +12,10 @@ namespace grainbench {
 class PairSelection {
 public:
     /// Makes these the pairs of a list whose bits are set.
-    void select(const PairList& from, std::span<const std::uint64_t> bits, const Workers& workers);
+    void select(const PairList& from,
+                std::span<const std::uint64_t> bits,
+                const Kernels& kernels,
+                const Workers& workers);
 
     const PairList& list() const { return list_; }
 

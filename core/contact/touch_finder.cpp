@@ -114,7 +114,7 @@ void TouchFinder::test_and_doubt(const ParticleState& particles,
                       kernels.test_pairs_and_doubt(
                           part, 2.0 * margin, bits_.data() + word, doubt_bits_.data() + word);
                   });
-    doubtful_.select(list, doubt_bits_, workers);
+    doubtful_.select(list, doubt_bits_, kernels, workers);
     are_tested_ = false;
     margin_ = margin;
     travel_ = 0.0;

@@ -166,9 +166,7 @@ void WallContacts::renew(const ParticleState& particles,
             face_[w] |= doubt_[w];
         }
     });
-    std::vector<Index> found;
-    append_bits(face_, 0, face_.size(), found);
-    objects_.renew(candidates_, found);
+    objects_.renew(candidates_, face_, kernels);
     cut_into_parts();
 }
 

@@ -56,8 +56,13 @@ void StableStep::clear(const ParticleState& particles,
                        const Workers& workers) {
     rolling_ = rolling;
     twisting_ = twisting;
-    shear_.resize(particles.positions().size());
-    normal_.resize(rotation_rules ? 0 : shear_.size());
+    const std::size_t size = particles.positions().size();
+    const std::size_t normal_size = rotation_rules ? 0 : size;
+    if (are_zero_ && shear_.size() == size && normal_.size() == normal_size) {
+        return;
+    }
+    shear_.resize(size);
+    normal_.resize(normal_size);
     for_each_slab(particles, workers, [&](std::size_t, Rows rows) {
         std::fill(shear_.begin() + 4 * rows.first, shear_.begin() + 4 * rows.last, 0.0);
         if (!rotation_rules) {
@@ -82,7 +87,10 @@ StepSums StableStep::sums() {
     return {shear_.data(), normal_.empty() ? nullptr : normal_.data(), rolling_, twisting_};
 }
 
-double StableStep::limit(ParticleState& particles, const Kernels& kernels, const Workers& workers) {
+double StableStep::limit(ParticleState& particles,
+                         bool keeps,
+                         const Kernels& kernels,
+                         const Workers& workers) {
     const ParticleView all = particles.view();
     largest_.assign(std::max<std::size_t>(particles.slab_count(), 1), 0.0);
     for_each_slab(particles, workers, [&](std::size_t slab, Rows rows) {
@@ -92,8 +100,9 @@ double StableStep::limit(ParticleState& particles, const Kernels& kernels, const
         StepSums of_part = sums();
         of_part.shear += 4 * rows.first;
         of_part.normal += of_part.normal == nullptr ? 0 : 4 * rows.first;
-        largest_[slab] = kernels.largest_step_ratio(part, of_part);
+        largest_[slab] = kernels.largest_step_ratio(part, of_part, !keeps);
     });
+    are_zero_ = !keeps;
     return step_of(*std::max_element(largest_.begin(), largest_.end()));
 }
 

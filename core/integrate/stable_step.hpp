@@ -42,7 +42,11 @@ public:
     StepSums sums();
 
     /// Smallest dt_i of (1) [s]; infinite without contacts.
-    double limit(ParticleState& particles, const Kernels& kernels, const Workers& workers);
+    /// \param keeps whether limit_of() will be asked
+    double limit(ParticleState& particles,
+                 bool keeps,
+                 const Kernels& kernels,
+                 const Workers& workers);
 
     /// dt_i of one particle [s]; infinite without contacts.
     double limit_of(const ParticleState& particles, Index slot) const;
@@ -56,6 +60,7 @@ public:
 private:
     Column<double> shear_;   ///< packet by particle: sum of K_s n^2 per axis, sum of K_s [N/m]
     Column<double> normal_;  ///< packet by particle: sum of K_n n^2 per axis [N/m]; may be empty
+    bool are_zero_ = false;  ///< both
     std::vector<double> largest_;  ///< by slab: of k/m and kappa/I [1/s^2]
     double rolling_ = 0.0;         ///< [1]
     double twisting_ = 0.0;        ///< [1]

@@ -65,6 +65,18 @@ struct PairQuery {
     double extra;  ///< [m]
 };
 
+/// The pairs of a list whose bits are set, side by side.
+struct PairChoice {
+    const std::uint64_t* bits;  ///< from the word of place `first` on
+    std::size_t words;
+    Index first;     ///< a multiple of 64
+    const Index* i;  ///< by place, readable up to the end of the words
+    const Index* j;
+    Index* place;  ///< out: place of each of them; null where not asked for
+    Index* chosen_i;
+    Index* chosen_j;
+};
+
 /// A grid of cells over particles.
 struct CellGrid {
     double low[3];        ///< [m]
@@ -252,9 +264,6 @@ struct Kernels {
 
     void (*search_cells)(CellSearch&);
 
-    /// Places of the pairs within reach, ascending; `found` has room for count + 8.
-    Index (*find_pairs)(const PairQuery&, Index* found);
-
     /// One bit per pair: within reach. Bits past the end are zero.
     void (*test_pairs)(const PairQuery&, std::uint64_t* within);
 
@@ -272,6 +281,13 @@ struct Kernels {
                           std::size_t words,
                           Index first,
                           TouchingContact* touching);
+
+    /// Bits that are set in `count` words.
+    std::size_t (*count_bits)(const std::uint64_t* words, std::size_t count);
+
+    /// Writes nothing past the last of them.
+    void (*select_pairs)(const PairChoice&);
+
     void (*test_patches)(const PatchQuery&, const PatchAnswers&);
 
     void (*pair_pass)(const PairPass&);
@@ -280,7 +296,8 @@ struct Kernels {
     void (*add_wall_steps)(const WallStepPass&);
 
     /// Largest of k/m and kappa/I over all particles and axes [1/s^2]; 0 without contacts.
-    double (*largest_step_ratio)(const ParticleView&, const StepSums&);
+    /// \param takes_away whether sums are zero afterwards
+    double (*largest_step_ratio)(const ParticleView&, const StepSums&, bool takes_away);
 };
 
 /// Passes of one instruction set: "scalar", "sse4", "avx2", "avx512", or "" for the best that this

@@ -144,15 +144,15 @@ GRAINBENCH_FLATTEN inline void measure_travel(TravelPass& pass) {
     Pack largest;
     for (std::size_t first = 0; first < pass.padded_count; first += width) {
         const auto row = [&](Index l) { return first + l; };
-        const Packets now = load_packets(pass.position, row);
-        const Packets then = load_packets(pass.reference, row);
-        const Vec3Of<Pack> way = now.xyz - then.xyz - frame;
+        const Packets both = span(load_rows(pass.reference, row), load_rows(pass.position, row));
+        const Pack radius = Pack(0.5) * both.w;
+        const Vec3Of<Pack> way = both.xyz - frame;
         Pack square = dot(way, way);
         if (pass.by_radius) {
-            square = square * smallest_square / (now.w * now.w);
+            square = square * smallest_square / (radius * radius);
         }
         // Padding has no radius.
-        largest = larger(largest, select(Pack{} < now.w, square, Pack{}));
+        largest = larger(largest, select(Pack{} < radius, square, Pack{}));
     }
     double lanes[width];
     store(largest, lanes);

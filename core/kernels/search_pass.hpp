@@ -12,10 +12,11 @@ struct PairSpan {
     Pack radii;
 
     PairSpan(const double* position, const Index* i, const Index* j) {
-        const Packets at_i = load_packets(position, [&](Index l) { return i[l]; });
-        const Packets at_j = load_packets(position, [&](Index l) { return j[l]; });
-        apart = at_j.xyz - at_i.xyz;
-        radii = at_i.w + at_j.w;
+        const PacketRows at_i = load_rows(position, [&](Index l) { return i[l]; });
+        const PacketRows at_j = load_rows(position, [&](Index l) { return j[l]; });
+        const Packets both = span(at_i, at_j);
+        apart = both.xyz;
+        radii = both.w;
     }
 
     Mask within(Pack scale, Pack extra) const { return are_within(scale * radii + extra); }
@@ -50,7 +51,8 @@ inline bool search_row(CellSearch& search, Index place, Index first, Index last)
     return true;
 }
 
-inline void search_cells(CellSearch& search) {
+GRAINBENCH_FLATTEN inline void search_cells(CellSearch& result) {
+    CellSearch search = result;  // that no store of pairs could change
     const CellGrid& grid = search.grid;
     for (; search.next < search.count; ++search.next) {
         const Index place = search.next;
@@ -66,31 +68,31 @@ inline void search_cells(CellSearch& search) {
             from[axis] = grid.coordinate(centre - reach, axis);
             to[axis] = grid.coordinate(centre + reach, axis);
         }
-        for (std::int64_t z = from[2]; z <= to[2]; ++z) {
-            for (std::int64_t y = from[1]; y <= to[1]; ++y) {
+        // The smallest meet what comes after them alone, in their row of cells and the next ones.
+        const std::int64_t own_z = grid.coordinate(search.centre[2][place], 2);
+        const std::int64_t own_y = grid.coordinate(search.centre[1][place], 1);
+        for (std::int64_t z = is_smallest ? own_z : from[2]; z <= to[2]; ++z) {
+            const bool is_own_layer = is_smallest && z == own_z;
+            for (std::int64_t y = is_own_layer ? own_y : from[1]; y <= to[1]; ++y) {
                 const std::int64_t row = (z * grid.cells[1] + y) * grid.cells[0];
-                Index first = search.cell_start[row + from[0]];
+                const bool is_own = is_own_layer && y == own_y;
+                const Index first = is_own ? place + 1 : search.cell_start[row + from[0]];
                 const Index last = search.cell_start[row + to[0] + 1];
-                first = is_smallest && first <= place ? place + 1 : first;
                 if (!search_row(search, place, first, last)) {
-                    search.found = found_before;
+                    result.next = search.next;
+                    result.found = found_before;
                     return;
                 }
             }
         }
     }
+    result.next = search.next;
+    result.found = search.found;
 }
 
-inline Index find_pairs(const PairQuery& query, Index* found) {
-    const Pack scale(query.scale);
-    const Pack extra(query.extra);
-    Index count = 0;
-    for (Index k = 0; k < query.count; k += width) {
-        const PairSpan span(query.position, query.i + k, query.j + k);
-        const unsigned bits = bits_of(span.within(scale, extra)) & first_bits(query.count - k);
-        count = append_places(bits, k, found, count);
-    }
-    return count;
+/// Entries of a list of `count` among the 64 that start at `first`.
+inline Index entries_of_word(Index first, Index count) {
+    return count - first < 64 ? count - first : 64;
 }
 
 /// Bits below `count` of the 64 that start at `first`.
@@ -104,7 +106,7 @@ inline void test_pairs(const PairQuery& query, std::uint64_t* within) {
     const Pack extra(query.extra);
     for (Index first = 0; first < query.count; first += 64) {
         std::uint64_t word = 0;
-        for (Index k = 0; k < 64; k += width) {
+        for (Index k = 0; k < entries_of_word(first, query.count); k += width) {
             const PairSpan span(query.position, query.i + first + k, query.j + first + k);
             word |= std::uint64_t{bits_of(span.within(scale, extra))} << k;
         }
@@ -122,7 +124,7 @@ inline void test_pairs_and_doubt(const PairQuery& query,
     for (Index first = 0; first < query.count; first += 64) {
         std::uint64_t now = 0;
         std::uint64_t doubt = 0;
-        for (Index k = 0; k < 64; k += width) {
+        for (Index k = 0; k < entries_of_word(first, query.count); k += width) {
             const PairSpan span(query.position, query.i + first + k, query.j + first + k);
             const Pack reach = scale * span.radii + extra;
             const Mask surely = span.are_within(larger(Pack{}, reach - either_side));
@@ -159,6 +161,27 @@ inline void list_touching(const std::uint64_t* now,
     }
 }
 
+inline std::size_t count_bits(const std::uint64_t* words, std::size_t count) {
+    std::size_t bits = 0;
+    for (std::size_t w = 0; w < count; ++w) {
+        bits += static_cast<std::size_t>(__builtin_popcountll(words[w]));
+    }
+    return bits;
+}
+
+inline void select_pairs(const PairChoice& wanted) {
+    const PairChoice choice = wanted;  // that no store of pairs could change
+    std::size_t count = 0;
+    for (std::size_t w = 0; w < choice.words; ++w) {
+        const std::uint64_t word = choice.bits[w];
+        for (Index k = 0; word != 0 && k < 64; k += 8) {
+            const auto bits = static_cast<unsigned>(word >> k & 0xFF);
+            const Index first = choice.first + static_cast<Index>(64 * w) + k;
+            count = append_chosen(bits, choice, first, count);
+        }
+    }
+}
+
 /// Whether a sphere may reach sides of cylinders; true of patches that are none.
 inline Mask may_reach_shell(const double* shells,
                             const Index* patch,
@@ -189,7 +212,7 @@ GRAINBENCH_FLATTEN inline void test_patches(const PatchQuery& query, const Patch
     for (Index first = 0; first < query.count; first += 64) {
         std::uint64_t face = 0;
         std::uint64_t doubt = 0;
-        for (Index k = 0; k < 64; k += width) {
+        for (Index k = 0; k < entries_of_word(first, query.count); k += width) {
             const Index* particle = query.particle + first + k;
             const Index* patch = query.patch + first + k;
             const Packets sphere =

@@ -64,32 +64,28 @@ private:
 };
 
 template <class Law>
-GRAINBENCH_FLATTEN void add_pair_steps(const PairStepPass& pass) {
+GRAINBENCH_FLATTEN void add_pair_steps(const PairStepPass& given) {
+    const PairStepPass pass = given;  // that no store of sums could change
     const ParticleView& p = pass.particles;
     StepValues<Law> values(pass.laws);
-    for (Index first = 0; first < pass.count; first += width) {
-        const Index valid = pass.count - first < width ? pass.count - first : width;
-        Index i[width];
-        Index j[width];
-        for (Index l = 0; l < width; ++l) {
-            const Index contact = first + (l < valid ? l : valid - 1);
-            i[l] = pass.i[contact];
-            j[l] = pass.j[contact];
-        }
-        const auto of_i = [&](Index l) { return i[l]; };
-        const auto of_j = [&](Index l) { return j[l]; };
-        const Packets at_i = load_packets(p.position, of_i);
-        const Packets at_j = load_packets(p.position, of_j);
+    /// \param valid contacts of a block; known to the compiler where it is full
+    const auto add_block = [&](Index first, auto valid) __attribute__((always_inline)) {
+        const auto lane = [&](Index l) { return first + (l < valid ? l : valid - 1); };
+        const auto of_i = [&](Index l) { return pass.i[lane(l)]; };
+        const auto of_j = [&](Index l) { return pass.j[lane(l)]; };
+        const PacketRows row_i = load_rows(p.position, of_i);
+        const PacketRows row_j = load_rows(p.position, of_j);
+        const Packets both = span(row_i, row_j);
         Geometry<Pack> g{};
         if constexpr (contains(Law::needs, Needs::radii)) {
-            g.area_radius = smaller(at_i.w, at_j.w);
-            g.length = at_i.w + at_j.w;
+            g.area_radius = smaller(row_i.components().w, row_j.components().w);
+            g.length = both.w;
         }
-        const Vec3Of<Pack> apart = at_j.xyz - at_i.xyz;
+        const Vec3Of<Pack>& apart = both.xyz;
         const Pack square = dot(apart, apart);
         if constexpr (grows_with_overlap<Law>) {
-            g.effective_radius = at_i.w * at_j.w / (at_i.w + at_j.w);
-            g.overlap = at_i.w + at_j.w - square_root(square);
+            g.effective_radius = row_i.components().w * row_j.components().w / both.w;
+            g.overlap = both.w - square_root(square);
         }
         const Mask is_apart = Pack{} < square;
         const Pack inverse =
@@ -104,9 +100,16 @@ GRAINBENCH_FLATTEN void add_pair_steps(const PairStepPass& pass) {
             {apart.x * apart.x * inverse, apart.y * apart.y * inverse, apart.z * apart.z * inverse},
             pass.sums);
         for (Index l = 0; l < valid; ++l) {
-            shares.add_to(i[l], l);
-            shares.add_to(j[l], l);
+            shares.add_to(of_i(l), l);
+            shares.add_to(of_j(l), l);
         }
+    };
+    Index first = 0;
+    for (; pass.count - first >= width; first += width) {
+        add_block(first, std::integral_constant<Index, width>{});
+    }
+    if (first < pass.count) {
+        add_block(first, pass.count - first);
     }
 }
 
@@ -141,7 +144,16 @@ GRAINBENCH_FLATTEN void add_wall_steps(const WallStepPass& pass) {
     }
 }
 
-GRAINBENCH_FLATTEN inline double largest_step_ratio(const ParticleView& p, const StepSums& sums) {
+GRAINBENCH_FLATTEN inline double largest_step_ratio(const ParticleView& given,
+                                                    const StepSums& given_sums,
+                                                    bool takes_away) {
+    const ParticleView p = given;  // that no store could change
+    const StepSums sums = given_sums;
+    const auto clear = [&](double* rows, std::size_t first) {
+        for (Index k = 0; k < 4; ++k) {
+            store(Pack{}, rows + 4 * first + k * width);
+        }
+    };
     Pack largest;
     for (std::size_t first = 0; first < p.padded_count; first += width) {
         const auto row = [&](Index l) { return first + l; };
@@ -164,6 +176,12 @@ GRAINBENCH_FLATTEN inline double largest_step_ratio(const ParticleView& p, const
                                  normal.xyz.y + (shear.w - shear.xyz.y),
                                  normal.xyz.z + (shear.w - shear.xyz.z)};
             largest = larger(largest, inverse_mass * larger(k.x, larger(k.y, k.z)));
+        }
+        if (takes_away) {
+            clear(sums.shear, first);
+            if (sums.normal != nullptr) {
+                clear(sums.normal, first);
+            }
         }
     }
     double lanes[width];

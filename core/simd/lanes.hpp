@@ -130,24 +130,6 @@ inline unsigned first_bits(Index valid) {
     return valid < width ? (1U << valid) - 1U : (1U << width) - 1U;
 }
 
-/// Appends first + l to `found` for each set bit l; returns the new count. May write up to `width`
-/// elements past it.
-inline Index append_places(unsigned bits, Index first, Index* found, Index count) {
-#if HWY_TARGET <= HWY_AVX3
-    const __m256i lanes = _mm256_add_epi32(_mm256_set1_epi32(static_cast<int>(first)),
-                                           _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
-    // Compressed in a register: compressing into memory is many times slower on some processors.
-    _mm256_storeu_si256(reinterpret_cast<__m256i*>(found + count),
-                        _mm256_maskz_compress_epi32(static_cast<__mmask8>(bits), lanes));
-    return count + static_cast<Index>(__builtin_popcount(bits));
-#else
-    for (; bits != 0; bits &= bits - 1) {
-        found[count++] = first + static_cast<Index>(__builtin_ctz(bits));
-    }
-    return count;
-#endif
-}
-
 /// Appends the contact at place first + l to `found` for each set bit l, new where new_bits says
 /// so; returns the new count. May write up to eight elements past it.
 inline std::size_t append_contacts(
@@ -168,6 +150,44 @@ inline std::size_t append_contacts(
     for (; bits != 0; bits &= bits - 1) {
         const auto lane = static_cast<Index>(__builtin_ctz(bits));
         found[count++] = TouchingContact(first + lane, (new_bits >> lane & 1) != 0);
+    }
+    return count;
+#endif
+}
+
+/// Appends the pairs at places first + l of a list to those that are chosen, for each set bit l;
+/// returns the new count. Writes nothing past it.
+inline std::size_t append_chosen(unsigned bits,
+                                 const PairChoice& choice,
+                                 Index first,
+                                 std::size_t count) {
+#if HWY_TARGET <= HWY_AVX3
+    const auto added = static_cast<unsigned>(__builtin_popcount(bits));
+    const auto append = [&](Index* to, __m256i lanes) {
+        _mm256_mask_storeu_epi32(to + count,
+                                 static_cast<__mmask8>((1U << added) - 1U),
+                                 _mm256_maskz_compress_epi32(static_cast<__mmask8>(bits), lanes));
+    };
+    const auto load = [&](const Index* from) {
+        return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from + first));
+    };
+    append(choice.chosen_i, load(choice.i));
+    append(choice.chosen_j, load(choice.j));
+    if (choice.place != nullptr) {
+        append(choice.place,
+               _mm256_add_epi32(_mm256_set1_epi32(static_cast<int>(first)),
+                                _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7)));
+    }
+    return count + added;
+#else
+    for (; bits != 0; bits &= bits - 1) {
+        const Index place = first + static_cast<Index>(__builtin_ctz(bits));
+        choice.chosen_i[count] = choice.i[place];
+        choice.chosen_j[count] = choice.j[place];
+        if (choice.place != nullptr) {
+            choice.place[count] = place;
+        }
+        ++count;
     }
     return count;
 #endif
@@ -221,56 +241,91 @@ struct Packets {
     Pack w;
 };
 
-/// Reads one packet of each of the rows row(0) ... row(width - 1) whole and turns them into
-/// components: several times faster than gathering each component.
+/// One packet of each of `width` rows in four vectors, in an order that is cheap to turn into
+/// components.
+struct PacketRows {
+    hn::Vec<Tag> part[4];
+
+    Packets components() const {
+#if HWY_TARGET == HWY_SCALAR
+        return {{Pack(part[0]), Pack(part[1]), Pack(part[2])}, Pack(part[3])};
+#elif HWY_MAX_BYTES == 16
+        return {{hn::InterleaveLower(Tag(), part[0], part[2]),
+                 hn::InterleaveUpper(Tag(), part[0], part[2]),
+                 hn::InterleaveLower(Tag(), part[1], part[3])},
+                hn::InterleaveUpper(Tag(), part[1], part[3])};
+#else
+        const auto xz_low = hn::InterleaveLower(Tag(), part[0], part[1]);
+        const auto xz_high = hn::InterleaveLower(Tag(), part[2], part[3]);
+        const auto yw_low = hn::InterleaveUpper(Tag(), part[0], part[1]);
+        const auto yw_high = hn::InterleaveUpper(Tag(), part[2], part[3]);
+#if HWY_MAX_BYTES == 32
+        return {{hn::ConcatLowerLower(Tag(), xz_high, xz_low),
+                 hn::ConcatLowerLower(Tag(), yw_high, yw_low),
+                 hn::ConcatUpperUpper(Tag(), xz_high, xz_low)},
+                hn::ConcatUpperUpper(Tag(), yw_high, yw_low)};
+#else
+        constexpr int even_blocks = 0x88;
+        constexpr int odd_blocks = 0xDD;
+        const auto blocks = [](auto low, auto high, auto which) {
+            return Pack(
+                hn::Vec<Tag>{_mm512_shuffle_f64x2(low.raw, high.raw, decltype(which)::value)});
+        };
+        using Even = std::integral_constant<int, even_blocks>;
+        using Odd = std::integral_constant<int, odd_blocks>;
+        return {{blocks(xz_low, xz_high, Even()),
+                 blocks(yw_low, yw_high, Even()),
+                 blocks(xz_low, xz_high, Odd())},
+                blocks(yw_low, yw_high, Odd())};
+#endif
+#endif
+    }
+};
+
+/// Reads one packet of each of the rows row(0) ... row(width - 1) whole.
 /// \tparam row_size doubles from row to row
 template <std::size_t row_size = 4, class Row>
-Packets load_packets(const double* column, const Row& row) {
+PacketRows load_rows(const double* column, const Row& row) {
     const auto at = [&](Index l) { return column + row_size * static_cast<std::size_t>(row(l)); };
 #if HWY_TARGET == HWY_SCALAR
     const double* p = at(0);
-    return {{Pack(p[0]), Pack(p[1]), Pack(p[2])}, Pack(p[3])};
+    return {hn::Set(Tag(), p[0]), hn::Set(Tag(), p[1]), hn::Set(Tag(), p[2]), hn::Set(Tag(), p[3])};
 #elif HWY_MAX_BYTES == 16
-    const auto xy0 = hn::Load(Tag(), at(0)), zw0 = hn::Load(Tag(), at(0) + 2);
-    const auto xy1 = hn::Load(Tag(), at(1)), zw1 = hn::Load(Tag(), at(1) + 2);
-    return {{hn::InterleaveLower(Tag(), xy0, xy1),
-             hn::InterleaveUpper(Tag(), xy0, xy1),
-             hn::InterleaveLower(Tag(), zw0, zw1)},
-            hn::InterleaveUpper(Tag(), zw0, zw1)};
+    return {hn::Load(Tag(), at(0)),
+            hn::Load(Tag(), at(0) + 2),
+            hn::Load(Tag(), at(1)),
+            hn::Load(Tag(), at(1) + 2)};
 #elif HWY_MAX_BYTES == 32
-    const auto r0 = hn::Load(Tag(), at(0)), r1 = hn::Load(Tag(), at(1));
-    const auto r2 = hn::Load(Tag(), at(2)), r3 = hn::Load(Tag(), at(3));
-    const auto xz01 = hn::InterleaveLower(Tag(), r0, r1);
-    const auto xz23 = hn::InterleaveLower(Tag(), r2, r3);
-    const auto yw01 = hn::InterleaveUpper(Tag(), r0, r1);
-    const auto yw23 = hn::InterleaveUpper(Tag(), r2, r3);
-    return {{hn::ConcatLowerLower(Tag(), xz23, xz01),
-             hn::ConcatLowerLower(Tag(), yw23, yw01),
-             hn::ConcatUpperUpper(Tag(), xz23, xz01)},
-            hn::ConcatUpperUpper(Tag(), yw23, yw01)};
+    return {hn::Load(Tag(), at(0)),
+            hn::Load(Tag(), at(1)),
+            hn::Load(Tag(), at(2)),
+            hn::Load(Tag(), at(3))};
 #else
     // Rows 0 and 2, 1 and 3, 4 and 6, 5 and 7 side by side, so that two shuffles leave order.
     const auto two = [&](Index low, Index high) {
         const hn::Half<Tag> half;
         return hn::Combine(Tag(), hn::Load(half, at(high)), hn::Load(half, at(low)));
     };
-    const auto r02 = two(0, 2), r13 = two(1, 3), r46 = two(4, 6), r57 = two(5, 7);
-    const auto xz_low = hn::InterleaveLower(Tag(), r02, r13);
-    const auto xz_high = hn::InterleaveLower(Tag(), r46, r57);
-    const auto yw_low = hn::InterleaveUpper(Tag(), r02, r13);
-    const auto yw_high = hn::InterleaveUpper(Tag(), r46, r57);
-    constexpr int even_blocks = 0x88;
-    constexpr int odd_blocks = 0xDD;
-    const auto blocks = [](auto low, auto high, auto which) {
-        return Pack(hn::Vec<Tag>{_mm512_shuffle_f64x2(low.raw, high.raw, decltype(which)::value)});
-    };
-    using Even = std::integral_constant<int, even_blocks>;
-    using Odd = std::integral_constant<int, odd_blocks>;
-    return {{blocks(xz_low, xz_high, Even()),
-             blocks(yw_low, yw_high, Even()),
-             blocks(xz_low, xz_high, Odd())},
-            blocks(yw_low, yw_high, Odd())};
+    return {two(0, 2), two(1, 3), two(4, 6), two(5, 7)};
 #endif
+}
+
+/// Reads packets and turns them into components: several times faster than gathering each
+/// component.
+template <std::size_t row_size = 4, class Row>
+Packets load_packets(const double* column, const Row& row) {
+    return load_rows<row_size>(column, row).components();
+}
+
+/// {b.xyz - a.xyz, b.w + a.w} of rows that are side by side: cheaper than components of both.
+inline Packets span(const PacketRows& a, const PacketRows& b) {
+    alignas(64) static constexpr double signs[8] = {-0.0, -0.0, -0.0, 0.0, -0.0, -0.0, -0.0, 0.0};
+    PacketRows result{};
+    for (std::size_t k = 0; k < 4; ++k) {
+        const auto sign = hn::Load(Tag(), signs + k * width % 4);
+        result.part[k] = hn::Add(b.part[k], hn::Xor(a.part[k], sign));
+    }
+    return result.components();
 }
 
 /// Writes lane l as the packet {a, b, c, d} at packets + 4 l.
