@@ -31,9 +31,14 @@ std::vector<double> radii_of_sources(const Scene& scene) {
     return radii;
 }
 
+/// Reach of lists of contact objects where particles are fast, over the radius
+/// (share/doc/performance.md): lists that reach farther last longer, and more is tested in each
+/// step.
+constexpr double widest_reach = 0.16;
+
 /// Travel that candidate lists allow, over the smallest radius: from a scan of the shaken bed of
 /// the example (share/doc/performance.md): longer lists cost more per renewal, shorter ones age.
-constexpr double slack_per_radius = 0.5;
+constexpr double slack_per_radius = 0.7;
 
 /// The same where directions are periodic: the farther lists reach, the wider a box must be, and
 /// the more images there are.
@@ -61,15 +66,19 @@ constexpr double scattered_by = 1.5;
 /// more from its first touch to half its depth, which the expected impact covers meanwhile.
 constexpr std::uint64_t cycles_of_stiffening = 16;
 
-SearchSettings search_settings(const Detection& detection, double slack, bool brute_force) {
-    SearchSettings settings{.tolerance = detection.tolerance,
-                            .slack = slack,
-                            .interval = 0,
-                            .brute_force = brute_force};
-    if (const auto* remap = std::get_if<RemapInterval>(&detection.trigger)) {
-        settings.interval = remap->cycles;
-    }
-    return settings;
+/// Where the cycles between searches are given, and where images are made as far as lists reach,
+/// the tolerance alone says how far that is.
+SearchSettings search_settings(const Scene& scene,
+                               const ParticleState& particles,
+                               bool brute_force) {
+    const double slack = scene.periodic ? slack_per_radius_of_images : slack_per_radius;
+    const auto* remap = std::get_if<RemapInterval>(&scene.detection.trigger);
+    const bool is_exact = remap != nullptr || brute_force || scene.periodic;
+    return {.tolerance = scene.detection.tolerance,
+            .widest = is_exact ? 0.0 : widest_reach,
+            .slack = slack * particles.smallest_radius(),
+            .interval = remap != nullptr ? remap->cycles : 0,
+            .brute_force = brute_force};
 }
 
 bool writes_orientations(const Scene& scene) {
@@ -112,9 +121,7 @@ Engine::Engine(const Scene& scene, std::uint64_t seed, const SimulationOptions& 
     if (Traffic::is_in(scene)) {
         traffic_.emplace(scene, seed);
     }
-    const double slack = scene.periodic ? slack_per_radius_of_images : slack_per_radius;
-    SearchSettings settings =
-        search_settings(detection_, slack * particles_.smallest_radius(), options.reference);
+    SearchSettings settings = search_settings(scene, particles_, options.reference);
     pairs_ = PairContacts(settings, table_.history_size());
     if (scene.periodic) {
         make_periodic(*scene.periodic, options.reference);
@@ -221,6 +228,11 @@ void Engine::begin_stage(const Stage& stage) {
         }
     } else if (looks_ahead()) {
         pairs_.look_ahead(particles_, table_.reach(), *kernels_, workers_);
+        look_ahead_to_walls();
+    } else {
+        for (WallContacts& contacts : wall_contacts_) {
+            contacts.end_look_ahead();
+        }
     }
     update_stable_step();
 }
@@ -491,13 +503,15 @@ bool Engine::few_are_loaded() const {
 
 void Engine::find_contacts() {
     enter(Phase::detection);
+    const bool is_stale = table_.stiffens() && cycle_ % cycles_of_stiffening == 0;
+    const bool may_renew = !looks_ahead() || is_stale || look_ahead_is_due();
     if (particles_.has_images()) {
         particles_.move_images();
     }
     if (has_left_its_period()) {
         pairs_.expire(particles_);
     }
-    Renewal renewal = pairs_.due(cycle_, particles_, bed_shift_, *kernels_);
+    Renewal renewal = pairs_.due(cycle_, may_renew, particles_, bed_shift_, *kernels_);
     if (renewal == Renewal::candidates && particles_.box().is_periodic()) {
         renew_images();
     }
@@ -505,15 +519,19 @@ void Engine::find_contacts() {
     wants_sorting_ = renewal == Renewal::candidates && is_scattered();
     enter(Phase::walls);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
-        renewal = std::min(
-            renewal, wall_contacts_[w].update(cycle_, particles_, walls_[w], *kernels_, workers_));
+        renewal = std::min(renewal,
+                           wall_contacts_[w].update(
+                               cycle_, may_renew, particles_, walls_[w], *kernels_, workers_));
     }
     enter(Phase::detection);
-    const bool is_stale = table_.stiffens() && cycle_ % cycles_of_stiffening == 0;
     const bool is_due = is_stale || renewal != Renewal::none;
-    bool changed = pairs_.find_touching(
-        particles_, table_.reach(), is_due && looks_ahead(), *kernels_, workers_);
+    const bool is_look_ahead = is_due && looks_ahead();
+    bool changed =
+        pairs_.find_touching(particles_, table_.reach(), is_look_ahead, *kernels_, workers_);
     enter(Phase::walls);
+    if (is_look_ahead) {
+        look_ahead_to_walls();
+    }
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         changed = wall_contacts_[w].find_touching(
                       particles_, walls_[w], table_.reach(), *kernels_, workers_) ||
@@ -521,6 +539,19 @@ void Engine::find_contacts() {
     }
     if (detection_.create_on_overlap ? changed || is_stale : is_due) {
         update_stable_step();
+    }
+}
+
+bool Engine::look_ahead_is_due() const {
+    return pairs_.look_ahead_is_due() ||
+           std::any_of(wall_contacts_.begin(),
+                       wall_contacts_.end(),
+                       [](const WallContacts& contacts) { return contacts.look_ahead_is_due(); });
+}
+
+void Engine::look_ahead_to_walls() {
+    for (std::size_t w = 0; w < walls_.size(); ++w) {
+        wall_contacts_[w].look_ahead(particles_, walls_[w], table_.reach(), *kernels_, workers_);
     }
 }
 

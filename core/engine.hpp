@@ -174,6 +174,8 @@ private:
     MotionPass move_particles(double timestep);
     bool few_are_loaded() const;
     void find_contacts();
+    bool look_ahead_is_due() const;
+    void look_ahead_to_walls();
     void add_forces(double timestep);
     void update_stable_step();
     double sum_steps(const ContactTable& table, bool touching_only);

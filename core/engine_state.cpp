@@ -9,7 +9,7 @@ std::size_t Engine::contact_count() const {
     if (detection_.create_on_overlap) {
         return touching_count();
     }
-    std::size_t count = pairs_.objects().count;
+    std::size_t count = pairs_.compute_object_count(particles_, *kernels_);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         count += wall_contacts_[w].compute_object_count(particles_, walls_[w]);
     }

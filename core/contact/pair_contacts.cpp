@@ -26,10 +26,11 @@ PairContacts::PairContacts(const SearchSettings& settings, int history_size)
     : clock_(settings), objects_(history_size) {}
 
 Renewal PairContacts::due(std::uint64_t cycle,
+                          bool looks_ahead,
                           const ParticleState& particles,
                           const Vec3& bed_shift,
                           const Kernels& kernels) {
-    return clock_.due(cycle, particles, bed_shift, true, kernels);
+    return clock_.due(cycle, looks_ahead, particles, bed_shift, true, kernels);
 }
 
 void PairContacts::renew(Renewal due,
@@ -37,6 +38,9 @@ void PairContacts::renew(Renewal due,
                          const ParticleState& particles,
                          const Vec3& bed_shift,
                          const Kernels& kernels) {
+    if (due <= Renewal::objects) {
+        clock_.choose_reach(due, particles.smallest_radius());
+    }
     if (due == Renewal::candidates) {
         build_candidates(particles, kernels);
     }
@@ -48,7 +52,8 @@ void PairContacts::renew(Renewal due,
 
 double PairContacts::candidate_reach(const ParticleState& particles) const {
     const SearchSettings& settings = clock_.settings();
-    return 2.0 * ((1.0 + settings.tolerance) * particles.largest_radius() + settings.slack);
+    const double widest = std::max(settings.tolerance, settings.widest);
+    return 2.0 * ((1.0 + widest) * particles.largest_radius() + settings.slack);
 }
 
 void PairContacts::change_population(const PopulationChange& change,
@@ -84,7 +89,7 @@ void PairContacts::build_candidates(const ParticleState& particles, const Kernel
         candidates_.pad();
     } else {
         finder_.find(
-            particles, 1.0 + settings.tolerance, 2.0 * settings.slack, kernels, candidates_);
+            particles, 1.0 + clock_.candidate_reach(), 2.0 * settings.slack, kernels, candidates_);
     }
     if (particles.has_images()) {
         leave_one_of_images(particles);
@@ -114,8 +119,7 @@ void PairContacts::leave_one_of_images(const ParticleState& particles) {
 }
 
 void PairContacts::renew_objects(const ParticleState& particles, const Kernels& kernels) {
-    const SearchSettings& settings = clock_.settings();
-    const double scale = settings.brute_force ? everywhere : 1.0 + settings.tolerance;
+    const double scale = clock_.settings().brute_force ? everywhere : 1.0 + clock_.object_reach();
     within_.resize(candidates_.words());
     kernels.test_pairs(query_of(particles, candidates_, scale, 0.0), within_.data());
     objects_.renew(candidates_, within_, kernels, RowOwners(particles));
@@ -293,6 +297,14 @@ void PairContacts::add_steps(ParticleState& particles,
         pass.count = counting.first_from(slab_start_[slab + 1]) - first;
         kernels.add_pair_steps(pass);
     });
+}
+
+std::size_t PairContacts::compute_object_count(const ParticleState& particles,
+                                               const Kernels& kernels) const {
+    std::vector<std::uint64_t> within(objects().words());
+    kernels.test_pairs(query_of(particles, objects(), 1.0 + clock_.settings().tolerance, 0.0),
+                       within.data());
+    return kernels.count_bits(within.data(), within.size());
 }
 
 void PairContacts::save(Archive& archive, Records records) const {

@@ -37,8 +37,12 @@ public:
     /// Adds the travel bound of one step, relative to the bed's frame.
     void add_travel(double bound, double fall);
 
+    bool look_ahead_is_due() const { return clock_.look_ahead_is_due(); }
+
     /// Which lists are due at the present positions.
+    /// \param looks_ahead see ListClock::due
     Renewal due(std::uint64_t cycle,
+                bool looks_ahead,
                 const ParticleState& particles,
                 const Vec3& bed_shift,
                 const Kernels& kernels);
@@ -92,7 +96,11 @@ public:
                    const Kernels& kernels,
                    const Workers& workers = {});
 
+    /// Contact objects, and where particles are fast some that may soon be.
     const PairList& objects() const { return objects_.list(); }
+
+    /// Contact objects: pairs within the detection tolerance now.
+    std::size_t compute_object_count(const ParticleState& particles, const Kernels& kernels) const;
 
     /// By place in objects(), ascending.
     std::span<const TouchingContact> touching() const { return objects_.touching(); }

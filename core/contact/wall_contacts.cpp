@@ -12,6 +12,9 @@ constexpr Index part_size = 2048;
 /// Particles whose patches are collected by one part of the work.
 constexpr Index collected_particles = 4096;
 
+/// Way of a particle, over the smallest radius, for which its candidates are found in advance.
+constexpr double spare_per_radius = 1.25;
+
 /// Adds the places of the bits of words [first, last).
 void append_bits(std::span<const std::uint64_t> words,
                  std::size_t first,
@@ -45,12 +48,16 @@ WallContacts::WallContacts(const SearchSettings& settings, int history_size)
     : clock_(settings), objects_(history_size, 1) {}
 
 Renewal WallContacts::update(std::uint64_t cycle,
+                             bool looks_ahead,
                              const ParticleState& particles,
                              const WallBody& wall,
                              const Kernels& kernels,
                              const Workers& workers) {
     const Renewal due =
-        clock_.due(cycle, particles, wall.displacement(), !wall.is_turned(), kernels);
+        clock_.due(cycle, looks_ahead, particles, wall.displacement(), !wall.is_turned(), kernels);
+    if (due <= Renewal::objects) {
+        clock_.choose_reach(due, particles.smallest_radius());
+    }
     if (due == Renewal::candidates) {
         build_candidates(particles, wall, workers);
     }
@@ -78,27 +85,38 @@ void WallContacts::build_candidates(const ParticleState& particles,
                                     const WallBody& wall,
                                     const Workers& workers) {
     const SearchSettings& settings = clock_.settings();
+    // Lists that depend on when they were made would show in what a search counts as late.
+    const double spare =
+        settings.widest > 0.0 ? spare_per_radius * particles.smallest_radius() : 0.0;
     clearances_.resize(particles.size());
     std::vector<PairList> found((particles.size() + collected_particles - 1) / collected_particles);
     workers.for_each(found.size(), [&](std::size_t part) {
         const auto first = static_cast<Index>(part) * collected_particles;
         const Index last = std::min(first + collected_particles, particles.size());
         std::vector<Index> patches;
+        Index before = candidates_.first_of(first);
         for (Index slot = first; slot < last; ++slot) {
+            const Index first_before = before;
+            before = candidates_.end_of(slot, before);
+            Clearance& clearance = clearances_[slot];
             if (particles.is_driven(slot)) {
+                clearance = {};
                 continue;
             }
-            patches.clear();
             const double reach =
                 settings.brute_force
                     ? 1e300
-                    : (1.0 + settings.tolerance) * particles.radius(slot) + settings.slack;
+                    : (1.0 + clock_.candidate_reach()) * particles.radius(slot) + settings.slack;
             const Vec3 centre = wall.to_wall(particles.position(slot));
-            if (clearances_[slot].exceeds(centre, reach)) {
+            if (clearance.exceeds(centre, reach)) {
+                for (Index k = first_before; k < before; ++k) {
+                    found[part].append(slot, candidates_.j[k]);
+                }
                 continue;
             }
-            const double others = wall.surface().collect(centre, reach, patches);
-            clearances_[slot] = {centre, patches.empty() ? others : 0.0};
+            patches.clear();
+            const double others = wall.surface().collect(centre, reach + spare, patches);
+            clearance = {centre, patches.empty() || spare > 0.0 ? others : 0.0};
             for (const Index patch : patches) {
                 found[part].append(slot, patch);
             }
@@ -120,7 +138,8 @@ void WallContacts::test(const ParticleState& particles,
                         Index last,
                         double scale,
                         double extra,
-                        const Kernels& kernels) {
+                        const PatchAnswers& answers,
+                        const Kernels& kernels) const {
     PatchQuery query{
         .position = particles.positions().data(),
         .planes = wall.surface().planes().data(),
@@ -139,8 +158,11 @@ void WallContacts::test(const ParticleState& particles,
             query.rotation[3 * row + column] = wall.rotation()[3 * column + row];
         }
     }
-    kernels.test_patches(
-        query, {face_.data() + first / 64, doubt_.data() + first / 64, height_.data() + first});
+    kernels.test_patches(query, answers);
+}
+
+PatchAnswers WallContacts::answers_from(Index first) {
+    return {face_.data() + first / 64, doubt_.data() + first / 64, height_.data() + first};
 }
 
 void WallContacts::renew(const ParticleState& particles,
@@ -159,8 +181,9 @@ void WallContacts::renew(const ParticleState& particles,
              candidates_,
              first,
              last,
-             1.0 + clock_.settings().tolerance,
+             1.0 + clock_.object_reach(),
              0.0,
+             answers_from(first),
              kernels);
         for (std::size_t w = first / 64; w < words_up_to(last); ++w) {
             face_[w] |= doubt_[w];
@@ -188,19 +211,27 @@ void WallContacts::cut_into_parts() {
         first = last;
     }
     parts_.resize(used);
+    watches_all_ = true;
     face_.resize(list.words());
     doubt_.resize(list.words());
     now_.resize(list.words());
     height_.resize(list.i.size());
 }
 
-void WallContacts::find_hits(const ParticleState& particles,
-                             const WallBody& wall,
-                             double extra,
-                             const Kernels& kernels,
-                             Part& part) {
-    const PairList& list = objects_.list();
-    test(particles, wall, list, part.first, part.last, 1.0, extra, kernels);
+void WallContacts::test_all(const ParticleState& particles,
+                            const WallBody& wall,
+                            double extra,
+                            const Kernels& kernels,
+                            Part& part) {
+    test(particles,
+         wall,
+         objects_.list(),
+         part.first,
+         part.last,
+         1.0,
+         extra,
+         answers_from(part.first),
+         kernels);
     const std::size_t first_word = part.first / 64;
     const std::size_t last_word = words_up_to(part.last);
     for (std::size_t w = first_word; w < last_word; ++w) {
@@ -208,6 +239,75 @@ void WallContacts::find_hits(const ParticleState& particles,
     }
     part.near.clear();
     append_bits(now_, first_word, last_word, part.near);
+}
+
+void WallContacts::test_watched(const ParticleState& particles,
+                                const WallBody& wall,
+                                double extra,
+                                const Kernels& kernels,
+                                Part& part) {
+    test(particles,
+         wall,
+         part.watched_list,
+         0,
+         part.watched_list.count,
+         1.0,
+         extra,
+         {part.watched_face.data(), part.watched_doubt.data(), part.watched_height.data()},
+         kernels);
+    for (std::size_t w = part.first / 64; w < words_up_to(part.last); ++w) {
+        face_[w] = 0;
+    }
+    part.near.clear();
+    for (std::size_t w = 0; w < part.watched_face.size(); ++w) {
+        const std::uint64_t face = part.watched_face[w];
+        for_each_bit(face | part.watched_doubt[w], 64 * w, [&](Index k) {
+            const Index place = part.watched[k];
+            part.near.push_back(place);
+            height_[place] = part.watched_height[k];
+            face_[place / 64] |= (face >> (k % 64) & 1) << (place % 64);
+        });
+    }
+}
+
+/// Watches what a test has found near.
+void WallContacts::watch(Part& part) const {
+    const PairList& list = objects_.list();
+    part.watched = part.near;
+    part.watched_list.clear();
+    for (const Index place : part.watched) {
+        part.watched_list.append(list.i[place], list.j[place]);
+    }
+    part.watched_list.pad();
+    part.watched_face.resize(part.watched_list.words());
+    part.watched_doubt.resize(part.watched_list.words());
+    part.watched_height.resize(part.watched_list.i.size());
+}
+
+void WallContacts::look_ahead(const ParticleState& particles,
+                              const WallBody& wall,
+                              double reach,
+                              const Kernels& kernels,
+                              const Workers& workers) {
+    constexpr double rounding = 1e-6;
+    clock_.look_ahead(particles.smallest_radius());
+    // Against a wall only the particle travels, relative to it: once the horizon, not twice.
+    const double extra = reach + (1.0 + rounding) * clock_.horizon();
+    workers.for_each(parts_.size(), [&](std::size_t p) {
+        Part& part = parts_[p];
+        test_all(particles, wall, extra, kernels, part);
+        find_hits(particles, wall, extra, part);
+        std::swap(part.hits, part.soon);
+        watch(part);
+    });
+    watches_all_ = false;
+}
+
+void WallContacts::find_hits(const ParticleState& particles,
+                             const WallBody& wall,
+                             double extra,
+                             Part& part) {
+    const PairList& list = objects_.list();
     part.hits.clear();
     for_each_particle(list, part.near, [&](std::span<const Index> places) {
         if (places.size() == 1 && has_bit(face_, places[0])) {
@@ -295,7 +395,12 @@ bool WallContacts::find_touching(const ParticleState& particles,
                                  const Workers& workers) {
     workers.for_each(parts_.size(), [&](std::size_t p) {
         Part& part = parts_[p];
-        find_hits(particles, wall, reach, kernels, part);
+        if (watches_all_) {
+            test_all(particles, wall, reach, kernels, part);
+        } else {
+            test_watched(particles, wall, reach, kernels, part);
+        }
+        find_hits(particles, wall, reach, part);
         part.has_changed = mark_hits(part);
         if (part.has_changed) {
             hand_over(wall.surface(), part);
@@ -450,9 +555,6 @@ void WallContacts::add_steps(ParticleState& particles,
                              const StepSums& sums,
                              const Kernels& kernels,
                              const Workers& workers) {
-    if (!touching_only) {
-        clock_.look_ahead(particles.smallest_radius());
-    }
     const ParticleView view = particles.view();
     workers.for_each(parts_.size(), [&](std::size_t p) {
         Part& part = parts_[p];
@@ -462,14 +564,10 @@ void WallContacts::add_steps(ParticleState& particles,
             for (Index t = first; t < last; ++t) {
                 part.hits.push_back({place(t), normal(t), distance(t)});
             }
-        } else {
-            // Against a wall only the particle travels, relative to it: once the horizon, not
-            // twice.
-            find_hits(particles, wall, clock_.horizon(), kernels, part);
         }
         part.step_particle.clear();
         part.step_geometry.clear();
-        for (const Hit& hit : part.hits) {
+        for (const Hit& hit : touching_only ? part.hits : part.soon) {
             part.step_particle.push_back(objects_.list().i[hit.place]);
             part.step_geometry.insert(part.step_geometry.end(),
                                       {hit.normal.x, hit.normal.y, hit.normal.z, hit.distance});
@@ -509,6 +607,22 @@ std::size_t WallContacts::compute_object_count(const ParticleState& particles,
     return count;
 }
 
+std::vector<double> WallContacts::packed_clearances() const {
+    std::vector<double> packed;
+    packed.reserve(4 * clearances_.size());
+    for (const Clearance& c : clearances_) {
+        packed.insert(packed.end(), {c.centre.x, c.centre.y, c.centre.z, c.distance});
+    }
+    return packed;
+}
+
+void WallContacts::load_clearances(std::span<const double> packed, std::size_t size) {
+    Archive::require(packed.empty() || packed.size() == 4 * size, "clearances");
+    for (std::size_t k = 0; k < packed.size(); k += 4) {
+        clearances_.push_back({{packed[k], packed[k + 1], packed[k + 2]}, packed[k + 3]});
+    }
+}
+
 void WallContacts::save(Archive& archive, const std::string& name, Records records) const {
     clock_.save(archive, name);
     archive.put(
@@ -517,6 +631,7 @@ void WallContacts::save(Archive& archive, const std::string& name, Records recor
     archive.put(
         name + "/candidate_patch",
         std::vector<Index>(candidates_.j.begin(), candidates_.j.begin() + candidates_.count));
+    archive.put(name + "/clearances", packed_clearances());
     objects_.save(archive, name + "/objects");
     archive.put(name + "/force", std::vector<double>(force_.begin(), force_.end()));
     records_.save(archive, name, records);
@@ -535,6 +650,9 @@ void WallContacts::load(const Archive& archive,
         archive, name + "/candidate_particle", name + "/candidate_patch", size, patches);
     objects_.load(archive, name + "/objects", size, patches);
     clearances_.clear();
+    if (archive.columns().contains(name + "/clearances")) {  // older checkpoints have none
+        load_clearances(archive.get<double>(name + "/clearances"), size);
+    }
     cut_into_parts();
     const auto& force = archive.get<double>(name + "/force", 4 * std::size_t{touching_count()});
     force_.assign(force.begin(), force.end());

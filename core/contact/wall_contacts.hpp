@@ -32,14 +32,30 @@ public:
     /// Adds the travel bound of one step, relative to the wall.
     void add_travel(double bound, double fall) { clock_.add_travel(bound, fall); }
 
+    bool look_ahead_is_due() const { return clock_.look_ahead_is_due(); }
+
     /// Renews the lists that are due, at the present positions.
+    /// \param looks_ahead see ListClock::due
     Renewal update(std::uint64_t cycle,
+                   bool looks_ahead,
                    const ParticleState& particles,
                    const WallBody& wall,
                    const Kernels& kernels,
                    const Workers& workers);
 
-    /// Finds the touching contacts and hands their history over. True if the set changed.
+    /// Marks the entries that touch or may touch within a few steps (ListClock).
+    /// \param reach gap up to which contacts count as touching [m]
+    void look_ahead(const ParticleState& particles,
+                    const WallBody& wall,
+                    double reach,
+                    const Kernels& kernels,
+                    const Workers& workers);
+
+    /// No look-ahead follows the last one in its time.
+    void end_look_ahead() { watches_all_ = true; }
+
+    /// Finds the touching contacts and hands their history over. True if the set changed. Between
+    /// look-aheads only what they marked is tested.
     /// \param reach gap up to which contacts count as touching [m]
     bool find_touching(const ParticleState& particles,
                        const WallBody& wall,
@@ -55,8 +71,8 @@ public:
                     const Kernels& kernels,
                     const Workers& workers);
 
-    /// Adds to the sums for the stable step the contacts that touch or may touch soon, or only
-    /// those that touch.
+    /// Adds to the sums for the stable step the contacts of the last look-ahead, or only those that
+    /// touch.
     void add_steps(ParticleState& particles,
                    const WallBody& wall,
                    const ContactTable& table,
@@ -116,12 +132,13 @@ private:
 
     Index place(Index t) const { return objects_.touching()[t].place(); }
 
-    /// How far a particle was from the wall when it was last looked at.
+    /// How far a particle was from the patches that are not its candidates when it was last looked
+    /// at.
     struct Clearance {
         Vec3 centre{};          ///< [m] in the wall's frame
-        double distance = 0.0;  ///< [m] to the wall, or less
+        double distance = 0.0;  ///< [m] to the nearest of them, or less
 
-        /// Whether a particle that has come to `now` must be farther than `reach` from the wall.
+        /// Whether they must be farther than `reach` from a particle that has come to `now`.
         bool exceeds(const Vec3& now, double reach) const {
             constexpr double rounding = 1e-9;
             const double left = (1.0 - rounding) * distance - reach;
@@ -135,10 +152,15 @@ private:
         Index first = 0;  ///< entries [first, last); whole words of the bits by entry
         Index last = 0;
         bool has_changed = false;
-        std::vector<Index> near;       ///< places that may touch
-        std::vector<Index> patches;    ///< of one particle
-        std::vector<Index> opened;     ///< places
-        std::vector<Hit> hits;         ///< by place
+        std::vector<Index> near;     ///< places that may touch
+        std::vector<Index> patches;  ///< of one particle
+        std::vector<Index> opened;   ///< places
+        std::vector<Hit> hits;       ///< by place
+        std::vector<Hit> soon;       ///< by place: of the last look-ahead
+        std::vector<Index> watched;  ///< places that may touch before the next look-ahead
+        PairList watched_list;       ///< of them: particle, patch
+        std::vector<std::uint64_t> watched_face, watched_doubt;
+        Column<double> watched_height;
         Column<Index> step_particle;   ///< by contact that counts for the stable step
         Column<double> step_geometry;  ///< packet by contact: normal, distance
     };
@@ -161,14 +183,30 @@ private:
               Index last,
               double scale,
               double extra,
-              const Kernels& kernels);
+              const PatchAnswers& answers,
+              const Kernels& kernels) const;
 
-    /// Fills the hits of a part with the contacts of spheres of radius R + extra.
-    void find_hits(const ParticleState& particles,
-                   const WallBody& wall,
-                   double extra,
-                   const Kernels& kernels,
-                   Part& part);
+    /// Sets the bits of the entries of a part that may touch spheres of radius R + extra.
+    void test_all(const ParticleState& particles,
+                  const WallBody& wall,
+                  double extra,
+                  const Kernels& kernels,
+                  Part& part);
+
+    /// The same, if they are among those that are watched.
+    void test_watched(const ParticleState& particles,
+                      const WallBody& wall,
+                      double extra,
+                      const Kernels& kernels,
+                      Part& part);
+
+    /// Fills the hits of a part with the contacts of spheres of radius R + extra among what a test
+    /// has found near.
+    void find_hits(const ParticleState& particles, const WallBody& wall, double extra, Part& part);
+    void watch(Part& part) const;
+
+    /// Where a test of the entries from `first` on, a multiple of 64, leaves its answers.
+    PatchAnswers answers_from(Index first);
     Hit face_hit(const Surface& surface, Index place) const;
     static Hit to_space(Hit hit, const WallBody& wall);
     bool add_faces(const ParticleState& particles,
@@ -186,6 +224,9 @@ private:
     void hand_over(const Surface& surface, Part& part);
     void adopt_late_contacts(const Part& part);
 
+    std::vector<double> packed_clearances() const;
+    void load_clearances(std::span<const double> packed, std::size_t size);
+
     /// The contacts among touching() that are entries of a part.
     std::pair<Index, Index> touching_of(const Part& part) const;
 
@@ -194,6 +235,7 @@ private:
     std::vector<Clearance> clearances_;  ///< by slot
     ContactObjects objects_;             ///< particle, patch; extra packet: normal, distance
     bool just_renewed_ = false;
+    bool watches_all_ = true;                        ///< no look-ahead since the last renewal
     std::vector<std::uint64_t> face_, doubt_, now_;  ///< bit by entry
     Column<double> height_;                          ///< [m] by entry
     std::vector<Part> parts_;

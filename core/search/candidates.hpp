@@ -5,6 +5,7 @@
 #include "core/state/aligned.hpp"
 #include "core/state/particle_state.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace grainbench {
@@ -44,6 +45,19 @@ struct PairList {
         i.push_back(a);
         j.push_back(b);
         ++count;
+    }
+
+    /// First of the pairs, which ascend by i, whose i is not below `a`.
+    Index first_of(Index a) const {
+        return static_cast<Index>(std::lower_bound(i.begin(), i.begin() + count, a) - i.begin());
+    }
+
+    /// End of the pairs of `a`, which begin at `first` if there are any.
+    Index end_of(Index a, Index first) const {
+        while (first < count && i[first] == a) {
+            ++first;
+        }
+        return first;
     }
 
     /// Leaves out the pairs for which goes(i, j).

@@ -1,7 +1,8 @@
 /// When the lists of one kind of contacts (between particles, or with one wall) are due. There are
 /// two lists, each a part of the one before: candidates (a cell grid away) and contact objects
-/// (within the detection tolerance). Of the objects the look-ahead marks those that touch or may
-/// touch within a few steps: they count for the stable step (share/doc/decisions/0004).
+/// (within the detection tolerance, or somewhat farther where particles are fast). Of the objects
+/// the look-ahead marks those that touch or may touch within a few steps: they count for the stable
+/// step (share/doc/decisions/0004).
 #pragma once
 
 #include "core/search/travel_clock.hpp"
@@ -15,6 +16,7 @@ namespace grainbench {
 /// How contact objects come and go; all lengths [m].
 struct SearchSettings {
     double tolerance = 0.0625;  ///< [1] of a particle over its radius
+    double widest = 0.0;        ///< [1] what lists may reach in its place where particles are fast
     double slack = 0.0;         ///< [m] travel that the candidate list allows beyond the tolerance
     std::int64_t interval = 0;  ///< cycles between renewals; 0 = displacement trigger
     bool brute_force = false;   ///< every pair is a contact object for ever (reference engine)
@@ -34,13 +36,30 @@ public:
     /// as long as if the fastest did, for in a bed at rest all may soon move so
     void add_travel(double bound, double fall);
 
+    /// Whether some particle may have travelled as far as the present look-ahead allows, or is
+    /// another.
+    bool look_ahead_is_due() const {
+        return expired_ || (!settings_.brute_force && horizon_ > 0.0 && ahead_travel_ > horizon_);
+    }
+
+    /// \param looks_ahead whether a look-ahead follows in any case, or there never is one; between
+    /// look-aheads lists are kept, if they can be, for one that is made anew needs another
     /// \param shift displacement of the frame so far
     /// \param exact whether positions may be compared (frames that do not turn)
     Renewal due(std::uint64_t cycle,
+                bool looks_ahead,
                 const ParticleState& particles,
                 const Vec3& shift,
                 bool exact,
                 const Kernels& kernels);
+
+    /// How far the list that is about to be made is to reach at the present speeds, over the radius
+    /// of a particle [1]; candidates at least as far as the objects that are chosen from them.
+    void choose_reach(Renewal what, double smallest_radius);
+
+    double candidate_reach() const { return candidate_reach_; }
+
+    double object_reach() const { return object_reach_; }
 
     /// Call after each renewal.
     void renewed(Renewal what,
@@ -75,6 +94,11 @@ private:
     /// a smaller automatic step (share/doc/decisions/0004).
     static constexpr double steps_ahead = 2.5;
 
+    /// Steps at the present speed that a list of contact objects should last, if it may reach so
+    /// far. More steps mean fewer renewals and more objects to test.
+    static constexpr double steps_of_list = 40.0;
+
+    double next_horizon(double smallest_radius) const;
     double object_travel(double smallest_radius) const;
 
     SearchSettings settings_;
@@ -83,9 +107,11 @@ private:
     std::uint64_t last_cycle_ = 0;
     TravelClock object_clock_{true};
     TravelClock candidate_clock_;
-    double last_travel_ = 0.0;   ///< [m] bound of the last step
-    double last_fall_ = 0.0;     ///< [m] of the last step
-    double ahead_travel_ = 0.0;  ///< [m] since the look-ahead began
+    double candidate_reach_ = 0.0;  ///< [1] over the radius, of the present lists
+    double object_reach_ = 0.0;     ///< [1]
+    double last_travel_ = 0.0;      ///< [m] bound of the last step
+    double last_fall_ = 0.0;        ///< [m] of the last step
+    double ahead_travel_ = 0.0;     ///< [m] since the look-ahead began
     double horizon_ = 0.0;
 };
 

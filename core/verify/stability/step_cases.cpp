@@ -143,8 +143,8 @@ Scene bed(double duration) {
 }
 
 void check_packing(Checks& checks) {
-    // Longer than it takes to come to rest, which is 1.3 to 1.4 s from one packing to the next.
-    const double settling = 1.5;
+    // Longer than it takes to come to rest, which is 1.3 to 1.9 s from one packing to the next.
+    const double settling = 2.5;
     Scene scene = bed(settling);
     Run settled(scene);
     settled.advance(0);

@@ -76,7 +76,8 @@ private:
     std::size_t look(std::uint64_t cycle) {
         const Pairs known_before = pairs_of(contacts_.objects());
         const Kernels& kernels = kernels_for("");
-        const Renewal due = contacts_.due(cycle, particles_, frame_, kernels);
+        const bool may_renew = !looks_ahead_ || contacts_.look_ahead_is_due();
+        const Renewal due = contacts_.due(cycle, may_renew, particles_, frame_, kernels);
         contacts_.renew(due, cycle, particles_, frame_, kernels);
         const bool looks_ahead = looks_ahead_ && due != Renewal::none;
         contacts_.find_touching(particles_, 0.0, looks_ahead, kernels);
@@ -204,6 +205,34 @@ TEST(PairContacts, MissNoTouchingPairBetweenLookAheads) {
         EXPECT_LT(cloud.look_aheads(), 600U);
         EXPECT_LT(cloud.contacts().renewals(), 100U);
     }
+}
+
+/// Lists that are kept from look-ahead to look-ahead are renewed before one could miss a pair.
+TEST(PairContacts, CountAllThatMayTouchSoonThoughListsAreKept) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        FlyingCloud cloud({.tolerance = 0.2, .slack = 0.00025}, 0.1, seed, true);
+        for (std::uint64_t cycle = 1; cycle <= 1000; ++cycle) {
+            ASSERT_EQ(cloud.step(cycle), 0U) << "cycle " << cycle;
+        }
+        EXPECT_GT(cloud.look_aheads(), 300U);
+        EXPECT_LT(cloud.look_aheads(), 400U);  // every third step, with new lists or without
+        EXPECT_GT(cloud.contacts().renewals(), 50U);
+    }
+}
+
+/// Where a list would last for a few steps alone it reaches farther, and no pair is missed.
+TEST(PairContacts, ReachFartherWhereParticlesAreFast) {
+    const auto renewals = [](double speed, double widest) {
+        FlyingCloud cloud({.tolerance = 0.0625, .widest = widest, .slack = 0.00025}, speed, 1);
+        for (std::uint64_t cycle = 1; cycle <= 500; ++cycle) {
+            EXPECT_EQ(cloud.step(cycle), 0U) << "cycle " << cycle;
+        }
+        return cloud.contacts().renewals();
+    };
+    EXPECT_LT(2 * renewals(0.1, 0.16), renewals(0.1, 0.0));
+    // 40 steps of the slow ones are less than the tolerance.
+    EXPECT_EQ(renewals(0.005, 0.16), renewals(0.005, 0.0));
 }
 
 /// Where all are slower than what has fallen a little, look-aheads last as if one were as fast.

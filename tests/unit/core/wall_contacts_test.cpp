@@ -15,7 +15,11 @@ constexpr double speed = 1.0;
 
 /// Spheres that fly on straight lines through the container of the example, from its middle, where
 /// they are far from any patch, to beyond its sides and back.
-void expect_no_contact_missed(const WallMotion& motion, std::uint64_t seed) {
+/// \param looks_ahead whether look-aheads mark what is to be tested until the next one
+void expect_no_contact_missed(const WallMotion& motion,
+                              std::uint64_t seed,
+                              bool looks_ahead = false,
+                              double widest = 0.0) {
     std::mt19937_64 random(seed);
     ParticleState particles = state_of(random_cloud(40, 3.0, half_edge, seed));
     std::vector<Vec3> velocity;
@@ -25,11 +29,15 @@ void expect_no_contact_missed(const WallMotion& motion, std::uint64_t seed) {
     const Wall given{
         .name = "wall", .shape = example_container(), .motion = motion, .material = {}};
     WallBody wall(given, "/walls/0", 0);
-    WallContacts contacts({.tolerance = 0.0625, .slack = 0.0015}, 0);
+    WallContacts contacts({.tolerance = 0.0625, .widest = widest, .slack = 0.0015}, 0);
     const double fastest = std::sqrt(3.0) * speed;
     std::size_t touching = 0;
     for (std::uint64_t cycle = 0; cycle < 1500; ++cycle) {
-        contacts.update(cycle, particles, wall, kernels_for(""), {});
+        const bool may_renew = !looks_ahead || contacts.look_ahead_is_due();
+        const Renewal due = contacts.update(cycle, may_renew, particles, wall, kernels_for(""), {});
+        if (looks_ahead && due != Renewal::none) {
+            contacts.look_ahead(particles, wall, 0.0, kernels_for(""), {});
+        }
         contacts.find_touching(particles, wall, 0.0, kernels_for(""), {});
         std::vector<std::size_t> found(particles.size(), 0);
         for (Index t = 0; t < contacts.touching_count(); ++t) {
@@ -71,6 +79,27 @@ TEST(WallContacts, MissNoneOfAWallThatTurns) {
         RotationMotion{.point = {0.0, 0.0, 0.0}, .axis = {1.0, 0.0, 0.0}, .rate = 20.0}, 5);
 }
 
+/// Lists that reach farther, of candidates that are kept until a particle has come far enough.
+TEST(WallContacts, MissNoneWithCandidatesInReserve) {
+    const SinusoidMotion swing{.velocity = {1.0, 0.0, 0.5}, .frequency = 10.0};
+    const RotationMotion turn{.point = {0.0, 0.0, 0.0}, .axis = {1.0, 0.0, 0.0}, .rate = 20.0};
+    for (const WallMotion& motion :
+         {WallMotion{FixedMotion{}}, WallMotion{swing}, WallMotion{turn}}) {
+        expect_no_contact_missed(motion, 6, false, 0.16);
+    }
+}
+
+TEST(WallContacts, MissNoneBetweenLookAheads) {
+    const SinusoidMotion swing{.velocity = {1.0, 0.0, 0.5}, .frequency = 10.0};
+    const RotationMotion turn{.point = {0.0, 0.0, 0.0}, .axis = {1.0, 0.0, 0.0}, .rate = 20.0};
+    for (const double widest : {0.0, 0.16}) {
+        for (const WallMotion& motion :
+             {WallMotion{FixedMotion{}}, WallMotion{swing}, WallMotion{turn}}) {
+            expect_no_contact_missed(motion, 7, true, widest);
+        }
+    }
+}
+
 /// Lists are made for what a particle is now, not for what had its slot before.
 TEST(WallContacts, ForgetWhereParticlesWereWhoseSlotsOthersHave) {
     Sphere far;
@@ -84,7 +113,7 @@ TEST(WallContacts, ForgetWhereParticlesWereWhoseSlotsOthersHave) {
                      .material = {}};
     const WallBody wall(given, "/walls/0", 0);
     WallContacts contacts({.tolerance = 0.0625, .slack = 0.0015}, 0);
-    contacts.update(0, particles, wall, kernels_for(""), {});
+    contacts.update(0, true, particles, wall, kernels_for(""), {});
     contacts.find_touching(particles, wall, 0.0, kernels_for(""), {});
     ASSERT_EQ(contacts.touching_count(), 1U);
     Scene scene;
@@ -96,7 +125,7 @@ TEST(WallContacts, ForgetWhereParticlesWereWhoseSlotsOthersHave) {
     const PopulationChange change = particles.departure_of(std::span(&leaving, 1));
     particles.change_population(change);
     contacts.change_population(change, particles);
-    contacts.update(1, particles, wall, kernels_for(""), {});
+    contacts.update(1, true, particles, wall, kernels_for(""), {});
     contacts.find_touching(particles, wall, 0.0, kernels_for(""), {});
     EXPECT_EQ(contacts.touching_count(), 1U);
 }
