@@ -36,9 +36,11 @@ std::vector<double> radii_of_sources(const Scene& scene) {
 /// step.
 constexpr double widest_reach = 0.16;
 
-/// Travel that candidate lists allow, over the smallest radius: from a scan of the shaken bed of
-/// the example (share/doc/performance.md): longer lists cost more per renewal, shorter ones age.
-constexpr double slack_per_radius = 0.7;
+/// Travel that candidate lists allow, over the smallest radius, where particles are slow and where
+/// they are fast: from a scan of the shaken bed of the example (share/doc/performance.md): longer
+/// lists cost more per renewal, shorter ones age.
+constexpr double slack_per_radius = 0.5;
+constexpr double widest_slack_per_radius = 0.7;
 
 /// The same where directions are periodic: the farther lists reach, the wider a box must be, and
 /// the more images there are.
@@ -77,6 +79,7 @@ SearchSettings search_settings(const Scene& scene,
     return {.tolerance = scene.detection.tolerance,
             .widest = is_exact ? 0.0 : widest_reach,
             .slack = slack * particles.smallest_radius(),
+            .widest_slack = is_exact ? 0.0 : widest_slack_per_radius * particles.smallest_radius(),
             .interval = remap != nullptr ? remap->cycles : 0,
             .brute_force = brute_force};
 }
@@ -127,6 +130,7 @@ Engine::Engine(const Scene& scene, std::uint64_t seed, const SimulationOptions& 
         make_periodic(*scene.periodic, options.reference);
     }
     settings.slack = wall_slack_per_radius * particles_.smallest_radius();
+    settings.widest_slack = 0.0;
     wall_contacts_.assign(walls_.size(), WallContacts(settings, table_.history_size()));
     if (scene.local_damping) {
         body_.local_damping = scene.local_damping->coefficient;

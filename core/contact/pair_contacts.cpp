@@ -53,7 +53,8 @@ void PairContacts::renew(Renewal due,
 double PairContacts::candidate_reach(const ParticleState& particles) const {
     const SearchSettings& settings = clock_.settings();
     const double widest = std::max(settings.tolerance, settings.widest);
-    return 2.0 * ((1.0 + widest) * particles.largest_radius() + settings.slack);
+    const double slack = std::max(settings.slack, settings.widest_slack);
+    return 2.0 * ((1.0 + widest) * particles.largest_radius() + slack);
 }
 
 void PairContacts::change_population(const PopulationChange& change,
@@ -88,8 +89,11 @@ void PairContacts::build_candidates(const ParticleState& particles, const Kernel
         }
         candidates_.pad();
     } else {
-        finder_.find(
-            particles, 1.0 + clock_.candidate_reach(), 2.0 * settings.slack, kernels, candidates_);
+        finder_.find(particles,
+                     1.0 + clock_.candidate_reach(),
+                     2.0 * clock_.candidate_slack(),
+                     kernels,
+                     candidates_);
     }
     if (particles.has_images()) {
         leave_one_of_images(particles);

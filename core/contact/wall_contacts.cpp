@@ -103,10 +103,10 @@ void WallContacts::build_candidates(const ParticleState& particles,
                 clearance = {};
                 continue;
             }
-            const double reach =
-                settings.brute_force
-                    ? 1e300
-                    : (1.0 + clock_.candidate_reach()) * particles.radius(slot) + settings.slack;
+            const double reach = settings.brute_force
+                                     ? 1e300
+                                     : (1.0 + clock_.candidate_reach()) * particles.radius(slot) +
+                                           clock_.candidate_slack();
             const Vec3 centre = wall.to_wall(particles.position(slot));
             if (clearance.exceeds(centre, reach)) {
                 for (Index k = first_before; k < before; ++k) {

@@ -22,7 +22,11 @@ void ListClock::add_travel(double bound, double fall) {
 void ListClock::choose_reach(Renewal what, double smallest_radius) {
     const double wanted = steps_of_list * last_travel_ / smallest_radius;
     const double reach = std::max(settings_.tolerance, std::min(wanted, settings_.widest));
-    candidate_reach_ = what == Renewal::candidates ? reach : candidate_reach_;
+    if (what == Renewal::candidates) {
+        candidate_reach_ = reach;
+        candidate_slack_ = std::max(
+            settings_.slack, std::min(steps_of_candidates * last_travel_, settings_.widest_slack));
+    }
     object_reach_ = std::min(reach, candidate_reach_);
 }
 
@@ -59,7 +63,7 @@ Renewal ListClock::due(std::uint64_t cycle,
             ? cycle >= last_cycle_ + static_cast<std::uint64_t>(settings_.interval)
             : object_clock_.expired(travel, particles, shift, exact, kernels);
     if (objects_due) {
-        return candidate_clock_.expired(settings_.slack, particles, shift, exact, kernels)
+        return candidate_clock_.expired(candidate_slack_, particles, shift, exact, kernels)
                    ? Renewal::candidates
                    : Renewal::objects;
     }
@@ -94,10 +98,14 @@ void ListClock::save(Archive& archive, const std::string& name) const {
     object_clock_.save(archive, name + "/object_clock");
     candidate_clock_.save(archive, name + "/candidate_clock");
     archive.put(name + "/last_cycle", last_cycle_);
-    archive.put(
-        name + "/horizon",
-        std::vector<double>{
-            last_travel_, ahead_travel_, horizon_, last_fall_, candidate_reach_, object_reach_});
+    archive.put(name + "/horizon",
+                std::vector<double>{last_travel_,
+                                    ahead_travel_,
+                                    horizon_,
+                                    last_fall_,
+                                    candidate_reach_,
+                                    object_reach_,
+                                    candidate_slack_});
     archive.put(name + "/expired", std::uint64_t{expired_});
 }
 
@@ -109,7 +117,7 @@ void ListClock::load(const Archive& archive,
     last_cycle_ = archive.count(name + "/last_cycle");
     const auto& horizon = archive.get<double>(name + "/horizon");
     const std::size_t size = horizon.size();
-    Archive::require(size == 3 || size == 4 || size == 6, name + "/horizon");
+    Archive::require(size == 3 || size == 4 || size == 7, name + "/horizon");
     last_travel_ = horizon[0];
     ahead_travel_ = horizon[1];
     horizon_ = horizon[2];
@@ -117,6 +125,7 @@ void ListClock::load(const Archive& archive,
     last_fall_ = size > 3 ? horizon[3] : 0.0;
     candidate_reach_ = size > 4 ? horizon[4] : settings_.tolerance;
     object_reach_ = size > 4 ? horizon[5] : settings_.tolerance;
+    candidate_slack_ = size > 4 ? horizon[6] : settings_.slack;
     expired_ = archive.count(name + "/expired") != 0;
     started_ = true;
 }

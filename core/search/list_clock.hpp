@@ -18,6 +18,7 @@ struct SearchSettings {
     double tolerance = 0.0625;  ///< [1] of a particle over its radius
     double widest = 0.0;        ///< [1] what lists may reach in its place where particles are fast
     double slack = 0.0;         ///< [m] travel that the candidate list allows beyond the tolerance
+    double widest_slack = 0.0;  ///< [m] in its place where particles are fast
     std::int64_t interval = 0;  ///< cycles between renewals; 0 = displacement trigger
     bool brute_force = false;   ///< every pair is a contact object for ever (reference engine)
 };
@@ -53,12 +54,16 @@ public:
                 bool exact,
                 const Kernels& kernels);
 
-    /// How far the list that is about to be made is to reach at the present speeds, over the radius
-    /// of a particle [1]; candidates at least as far as the objects that are chosen from them.
+    /// How far the list that is about to be made is to reach at the present speeds; candidates at
+    /// least as far as the objects that are chosen from them.
     void choose_reach(Renewal what, double smallest_radius);
 
+    /// Over the radius of a particle [1], and beyond it the slack [m].
     double candidate_reach() const { return candidate_reach_; }
 
+    double candidate_slack() const { return candidate_slack_; }
+
+    /// Over the radius of a particle [1].
     double object_reach() const { return object_reach_; }
 
     /// Call after each renewal.
@@ -98,6 +103,9 @@ private:
     /// far. More steps mean fewer renewals and more objects to test.
     static constexpr double steps_of_list = 40.0;
 
+    /// The same for candidates.
+    static constexpr double steps_of_candidates = 100.0;
+
     double next_horizon(double smallest_radius) const;
     double object_travel(double smallest_radius) const;
 
@@ -108,6 +116,7 @@ private:
     TravelClock object_clock_{true};
     TravelClock candidate_clock_;
     double candidate_reach_ = 0.0;  ///< [1] over the radius, of the present lists
+    double candidate_slack_ = 0.0;  ///< [m]
     double object_reach_ = 0.0;     ///< [1]
     double last_travel_ = 0.0;      ///< [m] bound of the last step
     double last_fall_ = 0.0;        ///< [m] of the last step
