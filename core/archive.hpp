@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -20,9 +21,16 @@ public:
                                 std::vector<std::uint64_t>,
                                 std::vector<std::uint8_t>>;
 
+    using Sink = std::function<void(const std::string& name, const Column& values)>;
+
+    Archive() = default;
+
+    /// Hands each column on and keeps none: a large state is never in memory twice.
+    explicit Archive(Sink sink) : sink_(std::move(sink)) {}
+
     template <class T>
     void put(const std::string& name, std::vector<T> values) {
-        columns_[name] = std::move(values);
+        put_column(name, std::move(values));
     }
 
     void put(const std::string& name, double value) { put(name, std::vector<double>{value}); }
@@ -72,9 +80,16 @@ public:
     /// All of them; none are left.
     std::map<std::string, Column> take_columns() { return std::exchange(columns_, {}); }
 
-    void put_column(const std::string& name, Column column) { columns_[name] = std::move(column); }
+    void put_column(const std::string& name, Column column) {
+        if (sink_) {
+            sink_(name, column);
+        } else {
+            columns_[name] = std::move(column);
+        }
+    }
 
 private:
+    Sink sink_;
     std::map<std::string, Column> columns_;
 };
 

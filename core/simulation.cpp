@@ -606,12 +606,11 @@ Summary Simulation::summary() const {
 }
 
 std::uint64_t Simulation::state_hash() const {
-    Archive archive;
-    save(archive);
     Fnv hash;
-    for (const auto& [name, column] : archive.columns()) {
+    Archive archive([&](const std::string&, const Archive::Column& column) {
         std::visit([&](const auto& values) { hash.add(values); }, column);
-    }
+    });
+    save(archive);
     return hash.value();
 }
 

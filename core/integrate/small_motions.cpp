@@ -41,9 +41,9 @@ SmallMotions::SmallMotions(const ParticleState& particles,
                  .j = particles.owner(j),
                  .normal = (1.0 / distance) * apart,
                  .arm_i = particles.radius(i) - cut,
-                 .arm_j = particles.radius(j) - cut},
+                 .arm_j = particles.radius(j) - cut,
+                 .overlap = overlap},
                 particles.species(particles.owner(j)),
-                overlap,
                 particles,
                 table);
         }
@@ -56,42 +56,50 @@ SmallMotions::SmallMotions(const ParticleState& particles,
             add({.i = i,
                  .j = no_slot,
                  .normal = contacts.normal(t),
-                 .arm_i = particles.radius(i) - table.lever_cut() * overlap},
+                 .arm_i = particles.radius(i) - table.lever_cut() * overlap,
+                 .arm_j = 0.0,
+                 .overlap = overlap},
                 walls[w].material(),
-                overlap,
                 particles,
                 table);
         }
     }
 }
 
-void SmallMotions::add(Spring spring,
+void SmallMotions::add(const Touch& touch,
                        Index material_j,
-                       double overlap,
                        const ParticleState& particles,
                        const ContactTable& table) {
-    const bool is_wall = spring.j == no_slot;
-    const double inverse_mass = inverse_mass_[spring.i] + (is_wall ? 0.0 : inverse_mass_[spring.j]);
-    const double radius_i = particles.radius(spring.i);
-    const double radius_j = is_wall ? 0.0 : particles.radius(spring.j);
-    const Index material_i = particles.species(spring.i);
-    if (inverse_mass == 0.0 || overlap < 0.0) {
+    const bool is_wall = touch.j == no_slot;
+    const double inverse_mass = inverse_mass_[touch.i] + (is_wall ? 0.0 : inverse_mass_[touch.j]);
+    const double radius_i = particles.radius(touch.i);
+    const double radius_j = is_wall ? 0.0 : particles.radius(touch.j);
+    const Index material_i = particles.species(touch.i);
+    if (inverse_mass == 0.0 || touch.overlap < 0.0) {
         return;  // both are driven, or only cohesion acts
     }
-    spring.stiffness = table.stiffness(material_i, material_j, radius_i, radius_j, overlap);
+    ContactStiffness stiffness =
+        table.stiffness(material_i, material_j, radius_i, radius_j, touch.overlap);
     if (!table.has_friction()) {
-        spring.stiffness.shear = 0.0;
+        stiffness.shear = 0.0;
     }
     const auto [ratio_n, ratio_s] = table.damping(material_i, material_j);
-    spring.damping_n = 2.0 * ratio_n * std::sqrt(spring.stiffness.normal / inverse_mass);
-    spring.damping_s = 2.0 * ratio_s * std::sqrt(spring.stiffness.shear / inverse_mass);
-    spring.stiffness.normal *= table.unloading_growth(material_i, material_j);
     const double effective_radius =
         is_wall ? radius_i : radius_i * radius_j / (radius_i + radius_j);
-    const double turning = spring.stiffness.shear * effective_radius * effective_radius;
-    spring.rolling = table.rolling_ratio() * turning;
-    spring.twisting = table.twisting_ratio() * turning;
-    springs_.push_back(spring);
+    const double turning = stiffness.shear * effective_radius * effective_radius;
+    const auto single = [](double x) { return static_cast<float>(x); };
+    springs_.push_back(
+        {.i = touch.i,
+         .j = touch.j,
+         .normal = {single(touch.normal.x), single(touch.normal.y), single(touch.normal.z)},
+         .arm_i = single(touch.arm_i),
+         .arm_j = single(touch.arm_j),
+         .stiff_n = single(stiffness.normal * table.unloading_growth(material_i, material_j)),
+         .stiff_s = single(stiffness.shear),
+         .damping_n = single(2.0 * ratio_n * std::sqrt(stiffness.normal / inverse_mass)),
+         .damping_s = single(2.0 * ratio_s * std::sqrt(stiffness.shear / inverse_mass)),
+         .rolling = single(table.rolling_ratio() * turning),
+         .twisting = single(table.twisting_ratio() * turning)});
 }
 
 double SmallMotions::growth(double timestep) const {
@@ -148,27 +156,29 @@ std::vector<SmallMotions::Motion> SmallMotions::loads(std::span<const Motion> wa
     std::vector<Motion> load(way.size());
     const Motion still{};
     // Relative motion of the surfaces at a contact.
-    const auto at_contact = [](const Spring& spring, const Motion& of_i, const Motion& of_j) {
-        return of_j.linear - of_i.linear -
-               cross(spring.arm_i * of_i.angular + spring.arm_j * of_j.angular, spring.normal);
-    };
+    const auto at_contact =
+        [](const Spring& spring, const Vec3& normal, const Motion& of_i, const Motion& of_j) {
+            return of_j.linear - of_i.linear -
+                   cross(spring.arm_i * of_i.angular + spring.arm_j * of_j.angular, normal);
+        };
     for (const Spring& spring : springs_) {
         const bool is_wall = spring.j == no_slot;
         const Motion& way_j = is_wall ? still : way[spring.j];
         const Motion& velocity_j = is_wall ? still : velocity[spring.j];
-        const Vec3 shift = at_contact(spring, way[spring.i], way_j);
-        const Vec3 rate = at_contact(spring, velocity[spring.i], velocity_j);
-        const double shift_n = dot(shift, spring.normal);
-        const double rate_n = dot(rate, spring.normal);
-        const Vec3 force =
-            (spring.stiffness.normal * shift_n + spring.damping_n * rate_n) * spring.normal +
-            spring.stiffness.shear * (shift - shift_n * spring.normal) +
-            spring.damping_s * (rate - rate_n * spring.normal);
-        const Vec3 turn = cross(spring.normal, force);
+        const Vec3 normal{spring.normal[0], spring.normal[1], spring.normal[2]};
+        const Vec3 shift = at_contact(spring, normal, way[spring.i], way_j);
+        const Vec3 rate = at_contact(spring, normal, velocity[spring.i], velocity_j);
+        const double shift_n = dot(shift, normal);
+        const double rate_n = dot(rate, normal);
+        const Vec3 force = double{spring.stiff_n} * shift_n * normal +
+                           double{spring.damping_n} * rate_n * normal +
+                           spring.stiff_s * (shift - shift_n * normal) +
+                           spring.damping_s * (rate - rate_n * normal);
+        const Vec3 turn = cross(normal, force);
         const Vec3 bend = way_j.angular - way[spring.i].angular;
-        const double twist = dot(bend, spring.normal);
-        const Vec3 moment = spring.rolling * (bend - twist * spring.normal) +
-                            spring.twisting * twist * spring.normal;
+        const double twist = dot(bend, normal);
+        const Vec3 moment =
+            spring.rolling * (bend - twist * normal) + double{spring.twisting} * twist * normal;
         load[spring.i].linear += force;
         load[spring.i].angular += spring.arm_i * turn + moment;
         if (!is_wall) {

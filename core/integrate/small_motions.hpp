@@ -45,25 +45,35 @@ private:
         Vec3 linear, angular;
     };
 
-    /// Of one contact [N/m], [N s/m], [N m]. A wall, which does not move, has no slot j.
+    /// Of one contact. A wall, which does not move, has no slot j. Single precision is enough for a
+    /// growth that is told from 1.2, and large scenes have millions of these.
     struct Spring {
         Index i = 0;
         Index j = 0;
-        Vec3 normal{};
-        double arm_i = 0.0;  ///< [m] from the centre to where friction acts
-        double arm_j = 0.0;
-        ContactStiffness stiffness{};
-        double damping_n = 0.0;
-        double damping_s = 0.0;
-        double rolling = 0.0;
-        double twisting = 0.0;
+        float normal[3]{};       ///< [1]
+        float arm_i = 0.0F;      ///< [m] from the centre to where friction acts
+        float arm_j = 0.0F;      ///< [m]
+        float stiff_n = 0.0F;    ///< [N/m]
+        float stiff_s = 0.0F;    ///< [N/m]
+        float damping_n = 0.0F;  ///< [N s/m]
+        float damping_s = 0.0F;  ///< [N s/m]
+        float rolling = 0.0F;    ///< [N m]
+        float twisting = 0.0F;   ///< [N m]
+    };
+
+    /// What touches, before its springs are known.
+    struct Touch {
+        Index i, j;
+        Vec3 normal;
+        double arm_i;    ///< [m]
+        double arm_j;    ///< [m]
+        double overlap;  ///< [m]
     };
 
     static constexpr Index no_slot = ~Index{0};
 
-    void add(Spring spring,
+    void add(const Touch& touch,
              Index material_j,
-             double overlap,
              const ParticleState& particles,
              const ContactTable& table);
 
