@@ -2,6 +2,7 @@
 
 #include "core/schedule.hpp"
 
+#include <array>
 #include <limits>
 
 namespace grainbench {
@@ -11,10 +12,12 @@ namespace {
 double mean_height(const ParticleState& particles,
                    const std::vector<Index>& slots,
                    const Vec3& up) {
-    double sum = 0.0;
-    for (const Index slot : slots) {
-        sum += dot(up, particles.position(slot));
+    // Four sums, so that an addition need not wait for the one before.
+    std::array<double, 4> sums{};
+    for (std::size_t k = 0; k < slots.size(); ++k) {
+        sums[k % 4] += dot(up, particles.position(slots[k]));
     }
+    const double sum = (sums[0] + sums[1]) + (sums[2] + sums[3]);
     return sum / static_cast<double>(slots.size());
 }
 

@@ -64,6 +64,12 @@ public:
         return look(cycle);
     }
 
+    void speed_up(double factor) {
+        for (Vec3& v : own_velocity_) {
+            v = factor * v;
+        }
+    }
+
     const PairContacts& contacts() const { return contacts_; }
 
     std::uint64_t late() const { return late_; }
@@ -233,6 +239,20 @@ TEST(PairContacts, ReachFartherWhereParticlesAreFast) {
     EXPECT_LT(2 * renewals(0.1, 0.16), renewals(0.1, 0.0));
     // 40 steps of the slow ones are less than the tolerance.
     EXPECT_EQ(renewals(0.005, 0.16), renewals(0.005, 0.0));
+}
+
+/// Candidates that were found while all were slow hold no more than they reach, however fast
+/// particles have become.
+TEST(PairContacts, ReachNoFartherThanTheirCandidates) {
+    for (std::uint64_t slow_cycles = 300; slow_cycles <= 400; slow_cycles += 20) {
+        FlyingCloud cloud({.tolerance = 0.0625, .widest = 0.5, .slack = 0.00025}, 0.005, 2);
+        for (std::uint64_t cycle = 1; cycle <= slow_cycles + 50; ++cycle) {
+            ASSERT_EQ(cloud.step(cycle), 0U) << "cycle " << cycle;
+            if (cycle == slow_cycles) {
+                cloud.speed_up(20.0);
+            }
+        }
+    }
 }
 
 /// Where all are slower than what has fallen a little, look-aheads last as if one were as fast.
