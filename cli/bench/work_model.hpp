@@ -11,7 +11,7 @@ struct WorkCounts {
     double particles = 0.0;
     double touching = 0.0;    ///< contacts, walls included
     double loaded = 0.0;      ///< fraction of the particles that touch anything
-    double objects = 0.0;     ///< contact objects, walls included
+    double objects = 0.0;     ///< contact objects, walls included; lists may hold more
     double candidates = 0.0;  ///< pairs in the candidate list
     double renewals = 0.0;    ///< of the contact objects, per cycle
     double builds = 0.0;      ///< of the candidates, per cycle
