@@ -46,20 +46,23 @@ Vec3Of<T> shear_increment(const Geometry<T>& g, const Load<T>& load) {
 }
 
 /// What is left of a vector that must not be longer than `limit`, and whether it is at the limit.
-/// At equality too, so that limit 0 means slipping and equals a scene without the law.
+/// At equality too, so that limit 0 means slipping and equals a scene without the law. The
+/// factor is applied to all: a vector that only some blocks change would pass through memory.
 template <class T>
 struct Slider {
     typename Load<T>::Mask slipping{};
     Vec3Of<T> held{};
 
-    Slider(const T& limit, const Vec3Of<T>& trial) : held(trial) {
+    Slider(const T& limit, const Vec3Of<T>& trial) {
         const T trial_square = dot(trial, trial);
         slipping = !(trial_square < limit * limit);
+        T factor(1.0);
         if (any(slipping)) {
             const T trial_size = square_root(trial_square);
             const T safe_size = select(T{} < trial_size, trial_size, T(1.0));
-            held = select(slipping, limit / safe_size, T(1.0)) * trial;  // (2)
+            factor = select(slipping, limit / safe_size, factor);
         }
+        held = factor * trial;  // (2)
     }
 };
 

@@ -95,7 +95,7 @@ double StableStep::limit(ParticleState& particles,
     largest_.assign(std::max<std::size_t>(particles.slab_count(), 1), 0.0);
     for_each_slab(particles, workers, [&](std::size_t slab, Rows rows) {
         ParticleView part = all;
-        part.motion += motion_row * rows.first;
+        part.velocity += 4 * rows.first;
         part.padded_count = rows.last - rows.first;
         StepSums of_part = sums();
         of_part.shear += 4 * rows.first;

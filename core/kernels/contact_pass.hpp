@@ -44,12 +44,12 @@ struct LawValues : BlockValues<Laws::most_values> {
 
 /// Motion of the bodies of a block of contacts.
 struct Bodies {
-    Vec3Of<Pack> velocity_i, velocity_j;
+    Vec3Of<Pack> relative_velocity;  ///< [m/s] of the centre of j, or of the wall, past that of i
     Vec3Of<Pack> spin_i, spin_j;
     Vec3Of<Pack> whole_spin_j;  ///< [rad/s] also where spin_j leaves out what is in velocity_j
     Pack lever_i, lever_j;      ///< [m] from the centres along the normal to where friction acts
-    Pack inverse_mass_i, inverse_mass_j;
-    unsigned new_bits;  ///< lanes whose contact did not act in the last step
+    Pack inverse_masses;        ///< [1/kg] the sum of both
+    unsigned new_bits;          ///< lanes whose contact did not act in the last step
 };
 
 /// Fills the parts of the geometry that the laws need.
@@ -57,10 +57,10 @@ template <class Laws>
 void complete_geometry(const Laws& laws, const Bodies& b, Pack timestep, Geometry<Pack>& g) {
     g.timestep = timestep;
     if (laws.need(Needs::effective_mass)) {
-        g.effective_mass = Pack(1.0) / (b.inverse_mass_i + b.inverse_mass_j);
+        g.effective_mass = Pack(1.0) / b.inverse_masses;
     }
     if (laws.need(Needs::velocity)) {
-        Vec3Of<Pack> relative = b.velocity_j - b.velocity_i;
+        Vec3Of<Pack> relative = b.relative_velocity;
         g.opening_speed = dot(relative, g.normal);
         if (laws.need(Needs::spin)) {
             relative -= cross(b.lever_i * b.spin_i + b.lever_j * b.spin_j, g.normal);
@@ -187,12 +187,6 @@ inline void subtract_packet(double* to, const double* packet) {
     (Packet(to) - Packet(packet)).store(to);
 }
 
-/// One packet of the motion of rows row(0) ... row(width - 1), as components.
-template <class Row>
-Packets load_motion(const ParticleView& particles, MotionPacket packet, const Row& row) {
-    return load_packets<motion_row>(particles.motion + packet, row);
-}
-
 /// History of the contacts of a block: the first `packets` packets of rows of `row_packets`.
 template <int capacity>
 struct BlockHistory {
@@ -249,9 +243,10 @@ inline constexpr std::size_t cached_particles = 4000;
 
 /// Asks for what contacts read and change of a particle.
 inline void fetch_row(const ParticleView& p, std::size_t row) {
-    __builtin_prefetch(p.position + 4 * row, 1);
-    __builtin_prefetch(p.motion + motion_row * row, 1);
-    __builtin_prefetch(p.motion + motion_row * row + force_packet, 1);
+    __builtin_prefetch(p.position + 4 * row);
+    __builtin_prefetch(p.velocity + 4 * row);
+    __builtin_prefetch(p.spin + 4 * row);
+    __builtin_prefetch(p.loads + load_row * row, 1);
 }
 
 /// Asks for what a later block will read. Its partners lie in a dozen places at once, more than
@@ -328,23 +323,18 @@ GRAINBENCH_FLATTEN void pair_pass(const PairPass& wanted) {
             b.lever_j = at_j.w + lever_cut * g.gap;
         }
         if (laws.need(Needs::velocity) || laws.need(Needs::effective_mass)) {
-            const Packets motion_i = load_motion(p, velocity_packet, of_i);
-            const Packets motion_j = load_motion(p, velocity_packet, of_j);
-            b.velocity_i = motion_i.xyz;
-            b.velocity_j = motion_j.xyz;
-            b.inverse_mass_i = motion_i.w;
-            b.inverse_mass_j = motion_j.w;
+            const Packets motion = span(load_rows(p.velocity, of_i), load_rows(p.velocity, of_j));
+            b.relative_velocity = motion.xyz;
+            b.inverse_masses = motion.w;
         }
         if (laws.need(Needs::spin)) {
-            b.spin_i = load_motion(p, spin_packet, of_i).xyz;
-            b.spin_j = load_motion(p, spin_packet, of_j).xyz;
+            b.spin_i = load_packets(p.spin, of_i).xyz;
+            b.spin_j = load_packets(p.spin, of_j).xyz;
             b.whole_spin_j = b.spin_j;
         }
         if (!pass.laws.uniform) {
-            values.look_up(laws,
-                           pass.laws,
-                           load_motion(p, spin_packet, of_i).w,
-                           load_motion(p, spin_packet, of_j).w);
+            values.look_up(
+                laws, pass.laws, load_packets(p.spin, of_i).w, load_packets(p.spin, of_j).w);
         }
         complete_geometry(laws, b, timestep, g);
 
@@ -359,18 +349,18 @@ GRAINBENCH_FLATTEN void pair_pass(const PairPass& wanted) {
 
         const ForceOnJ force(laws, load, g);
         // Lane by lane, so that sums are in the order of the contacts whatever the width.
-        const auto loads_of = [&](Index n) { return p.motion + motion_row * n + force_packet; };
+        const auto loads_of = [&](Index n) { return p.loads + load_row * n; };
         if (laws.need(Needs::spin)) {
-            // Levers and force give -r_i n x F on i and -r_j n x F on j.
+            // Levers and force give -r_i n x F on i, which is taken away, and -r_j n x F on j.
             const Vec3Of<Pack> turning = cross(g.normal, force.tangential);
             Vec3Of<Pack> on_i = b.lever_i * turning;
-            Vec3Of<Pack> on_j = b.lever_j * turning;
+            Vec3Of<Pack> on_j = -b.lever_j * turning;
             if (laws.need(Needs::relative_spin)) {
                 on_i += load.moment;
-                on_j -= load.moment;
+                on_j += load.moment;
             }
             const TwinPackets from_i(force.whole, on_i);
-            const TwinPackets to_j(force.whole, -on_j);
+            const TwinPackets to_j(force.whole, on_j);
             for_each_lane(block.valid, [&]<Index l>() {
                 from_i.subtract_from<l>(loads_of(row_i[l]));
                 to_j.add_to<l>(loads_of(row_j[l]));
@@ -441,22 +431,19 @@ GRAINBENCH_FLATTEN void wall_pass(const WallPass& pass) {
             b.lever_i = at_i.w + lever_cut * g.gap;
         }
         if (laws.need(Needs::velocity) || laws.need(Needs::effective_mass)) {
-            const Packets motion = load_motion(p, velocity_packet, of_i);
-            b.velocity_i = motion.xyz;
-            b.inverse_mass_i = motion.w;
-            b.inverse_mass_j = Pack{};
+            const Packets motion = load_packets(p.velocity, of_i);
+            b.inverse_masses = motion.w;
             // There friction acts, as a rule in the middle of the overlap (physics reference 1.1).
             const Vec3Of<Pack> arm = at_i.xyz + b.lever_i * g.normal - centre;
-            b.velocity_j = wall_velocity + cross(wall_spin, arm);
+            b.relative_velocity = wall_velocity + cross(wall_spin, arm) - motion.xyz;
         }
         if (laws.need(Needs::spin)) {
-            b.spin_i = load_motion(p, spin_packet, of_i).xyz;
+            b.spin_i = load_packets(p.spin, of_i).xyz;
             b.spin_j = dot(wall_spin, g.normal) * g.normal;
             b.whole_spin_j = wall_spin;
         }
         if (!pass.laws.uniform) {
-            values.look_up(
-                laws, pass.laws, load_motion(p, spin_packet, of_i).w, Pack(pass.material));
+            values.look_up(laws, pass.laws, load_packets(p.spin, of_i).w, Pack(pass.material));
         }
         complete_geometry(laws, b, timestep, g);
 
@@ -470,7 +457,7 @@ GRAINBENCH_FLATTEN void wall_pass(const WallPass& pass) {
         }
 
         const ForceOnJ force(laws, load, g);
-        const auto loads_of = [&](Index n) { return p.motion + motion_row * n + force_packet; };
+        const auto loads_of = [&](Index n) { return p.loads + load_row * n; };
         alignas(64) double forces[4 * width];
         store_packets(force.whole, Pack{}, forces);
         for (Index l = 0; l < block.valid; ++l) {

@@ -10,20 +10,20 @@
 
 namespace grainbench {
 
-/// Packets of four doubles in a row of the column of motion, by their first element
+/// Packets of four doubles in a row of the column of loads, by their first element
 /// (share/doc/decisions/0002-packets-of-four.md).
-enum MotionPacket : std::size_t {
-    velocity_packet = 0,  ///< v at the half step [m/s], inverse mass [1/kg]
-    spin_packet = 4,      ///< omega at the half step [rad/s], material
-    force_packet = 8,     ///< [N], 0
-    torque_packet = 12,   ///< [N m], inverse moment of inertia [1/(kg m^2)]
-    motion_row = 16       ///< doubles per row
+enum LoadPacket : std::size_t {
+    force_packet = 0,   ///< [N], 0
+    torque_packet = 4,  ///< [N m], inverse moment of inertia [1/(kg m^2)]
+    load_row = 8        ///< doubles per row
 };
 
 /// Columns, one row per particle.
 struct ParticleView {
     double* position;          ///< packets: x, y, z [m], radius [m]
-    double* motion;            ///< rows of packets, see MotionPacket
+    double* velocity;          ///< packets: v at the half step [m/s], inverse mass [1/kg]
+    double* spin;              ///< packets: omega at the half step [rad/s], material
+    double* loads;             ///< rows of packets, see LoadPacket
     std::uint8_t* loaded;      ///< by particle: where 0, force and torque are zero
     std::size_t count;         ///< of particles
     std::size_t padded_count;  ///< rows of each column, a multiple of 8

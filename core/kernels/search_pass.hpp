@@ -6,24 +6,11 @@
 
 namespace grainbench::GRAINBENCH_ISA {
 
-/// Centres apart and sum of radii of a block of pairs.
-struct PairSpan {
-    Vec3Of<Pack> apart;
-    Pack radii;
-
-    PairSpan(const double* position, const Index* i, const Index* j) {
-        const PacketRows at_i = load_rows(position, [&](Index l) { return i[l]; });
-        const PacketRows at_j = load_rows(position, [&](Index l) { return j[l]; });
-        const Packets both = span(at_i, at_j);
-        apart = both.xyz;
-        radii = both.w;
-    }
-
-    Mask within(Pack scale, Pack extra) const { return are_within(scale * radii + extra); }
-
-    /// \param reach of the centres, not negative [m]
-    Mask are_within(Pack reach) const { return dot(apart, apart) <= reach * reach; }
-};
+/// {centres apart, sum of radii} of a block of pairs.
+inline Packets span_of_pairs(const double* position, const Index* i, const Index* j) {
+    return span(load_rows(position, [&](Index l) { return i[l]; }),
+                load_rows(position, [&](Index l) { return j[l]; }));
+}
 
 /// Adds the pairs of one particle with those at places [first, last) of one row of cells. False if
 /// room ran out.
@@ -101,23 +88,25 @@ inline std::uint64_t valid_bits(Index first, Index count) {
     return left < 64 ? (std::uint64_t{1} << left) - 1 : ~std::uint64_t{0};
 }
 
-inline void test_pairs(const PairQuery& query, std::uint64_t* within) {
+GRAINBENCH_FLATTEN inline void test_pairs(const PairQuery& query, std::uint64_t* within) {
     const Pack scale(query.scale);
     const Pack extra(query.extra);
     for (Index first = 0; first < query.count; first += 64) {
         std::uint64_t word = 0;
         for (Index k = 0; k < entries_of_word(first, query.count); k += width) {
-            const PairSpan span(query.position, query.i + first + k, query.j + first + k);
-            word |= std::uint64_t{bits_of(span.within(scale, extra))} << k;
+            const Packets both =
+                span_of_pairs(query.position, query.i + first + k, query.j + first + k);
+            const Pack reach = scale * both.w + extra;
+            word |= std::uint64_t{bits_of(dot(both.xyz, both.xyz) <= reach * reach)} << k;
         }
         within[first / 64] = word & valid_bits(first, query.count);
     }
 }
 
-inline void test_pairs_and_doubt(const PairQuery& query,
-                                 double margin,
-                                 std::uint64_t* within,
-                                 std::uint64_t* doubtful) {
+GRAINBENCH_FLATTEN inline void test_pairs_and_doubt(const PairQuery& query,
+                                                    double margin,
+                                                    std::uint64_t* within,
+                                                    std::uint64_t* doubtful) {
     const Pack scale(query.scale);
     const Pack extra(query.extra);
     const Pack either_side(margin);
@@ -125,11 +114,16 @@ inline void test_pairs_and_doubt(const PairQuery& query,
         std::uint64_t now = 0;
         std::uint64_t doubt = 0;
         for (Index k = 0; k < entries_of_word(first, query.count); k += width) {
-            const PairSpan span(query.position, query.i + first + k, query.j + first + k);
-            const Pack reach = scale * span.radii + extra;
-            const Mask surely = span.are_within(larger(Pack{}, reach - either_side));
-            now |= std::uint64_t{bits_of(span.are_within(reach))} << k;
-            doubt |= std::uint64_t{bits_of(span.are_within(reach + either_side) & !surely)} << k;
+            const Packets both =
+                span_of_pairs(query.position, query.i + first + k, query.j + first + k);
+            const Pack square = dot(both.xyz, both.xyz);
+            const Pack reach = scale * both.w + extra;
+            const Pack sure = larger(Pack{}, reach - either_side);
+            const Pack possible = reach + either_side;
+            now |= std::uint64_t{bits_of(square <= reach * reach)} << k;
+            doubt |=
+                std::uint64_t{bits_of((square <= possible * possible) & !(square <= sure * sure))}
+                << k;
         }
         const std::uint64_t valid = valid_bits(first, query.count);
         within[first / 64] = now & valid;
@@ -142,22 +136,9 @@ inline void list_touching(const std::uint64_t* now,
                           std::size_t words,
                           Index first,
                           TouchingContact* touching) {
-    constexpr int few = 12;  // of 64, which are faster one by one than in lanes
     std::size_t count = 0;
     for (std::size_t w = 0; w < words; ++w, first += 64) {
-        const std::uint64_t is_new = now[w] & ~before[w];
-        if (__builtin_popcountll(now[w]) < few) {
-            for (std::uint64_t left = now[w]; left != 0; left &= left - 1) {
-                const auto at = static_cast<Index>(__builtin_ctzll(left));
-                touching[count++] = TouchingContact(first + at, (is_new >> at & 1) != 0);
-            }
-            continue;
-        }
-        for (Index k = 0; k < 64; k += 8) {
-            const auto bits = static_cast<unsigned>(now[w] >> k & 0xFF);
-            const auto new_bits = static_cast<unsigned>(is_new >> k & 0xFF);
-            count = append_contacts(bits, new_bits, first + k, touching, count);
-        }
+        count = append_contacts(now[w], now[w] & ~before[w], first, touching, count);
     }
 }
 
@@ -173,11 +154,9 @@ inline void select_pairs(const PairChoice& wanted) {
     const PairChoice choice = wanted;  // that no store of pairs could change
     std::size_t count = 0;
     for (std::size_t w = 0; w < choice.words; ++w) {
-        const std::uint64_t word = choice.bits[w];
-        for (Index k = 0; word != 0 && k < 64; k += 8) {
-            const auto bits = static_cast<unsigned>(word >> k & 0xFF);
-            const Index first = choice.first + static_cast<Index>(64 * w) + k;
-            count = append_chosen(bits, choice, first, count);
+        if (choice.bits[w] != 0) {
+            const Index first = choice.first + static_cast<Index>(64 * w);
+            count = append_chosen(choice.bits[w], choice, first, count);
         }
     }
 }

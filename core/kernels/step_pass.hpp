@@ -91,9 +91,7 @@ GRAINBENCH_FLATTEN void add_pair_steps(const PairStepPass& given) {
         const Pack inverse =
             select(is_apart, Pack(1.0) / select(is_apart, square, Pack(1.0)), Pack{});
         if (!pass.laws.uniform) {
-            values.look_up(pass.laws,
-                           load_motion(p, spin_packet, of_i).w,
-                           load_motion(p, spin_packet, of_j).w);
+            values.look_up(pass.laws, load_packets(p.spin, of_i).w, load_packets(p.spin, of_j).w);
         }
         const StepShares shares(
             StiffnessPair::of<Law>(values, pass.laws.impact, g),
@@ -133,7 +131,7 @@ GRAINBENCH_FLATTEN void add_wall_steps(const WallStepPass& pass) {
         }
         if (!pass.laws.uniform) {
             values.look_up(
-                pass.laws, load_motion(pass.particles, spin_packet, row).w, Pack(pass.material));
+                pass.laws, load_packets(pass.particles.spin, row).w, Pack(pass.material));
         }
         const StepShares shares(StiffnessPair::of<Law>(values, pass.laws.impact, g),
                                 {n.x * n.x, n.y * n.y, n.z * n.z},
@@ -158,7 +156,7 @@ GRAINBENCH_FLATTEN inline double largest_step_ratio(const ParticleView& given,
     for (std::size_t first = 0; first < p.padded_count; first += width) {
         const auto row = [&](Index l) { return first + l; };
         const Packets shear = load_packets(sums.shear, row);
-        const Pack inverse_mass = load_motion(p, velocity_packet, row).w;
+        const Pack inverse_mass = load_packets(p.velocity, row).w;
         const Pack least = smaller(shear.xyz.x, smaller(shear.xyz.y, shear.xyz.z));
         // kappa / I with I = 2/5 m R^2 and lever R (2). Moments raise it: what is stiff against
         // rolling about an axis is the part of the normals across it, against twisting the rest.

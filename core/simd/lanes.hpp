@@ -92,6 +92,10 @@ inline Pack smaller(Pack a, Pack b) {
 #endif
 }
 
+inline Pack absolute(Pack a) {
+    return hn::Abs(a.v);
+}
+
 inline Pack square_root(Pack a) {
     return hn::Sqrt(a.v);
 }
@@ -130,58 +134,70 @@ inline unsigned first_bits(Index valid) {
     return valid < width ? (1U << valid) - 1U : (1U << width) - 1U;
 }
 
-/// Appends the contact at place first + l to `found` for each set bit l, new where new_bits says
-/// so; returns the new count. May write up to eight elements past it.
-inline std::size_t append_contacts(
-    unsigned bits, unsigned new_bits, Index first, TouchingContact* found, std::size_t count) {
 #if HWY_TARGET <= HWY_AVX3
-    static_assert(sizeof(TouchingContact) == 4 && std::is_trivially_copyable_v<TouchingContact>);
-    const __m256i lanes = _mm256_add_epi32(_mm256_set1_epi32(static_cast<int>(first)),
-                                           _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
-    const __m256i new_bit = _mm256_set1_epi32(static_cast<int>(TouchingContact::new_bit));
-    const __m256i contacts =
-        _mm256_mask_or_epi32(lanes, static_cast<__mmask8>(new_bits), lanes, new_bit);
-    const auto added = static_cast<unsigned>(__builtin_popcount(bits));
-    _mm256_mask_storeu_epi32(found + count,
-                             static_cast<__mmask8>((1U << added) - 1U),
-                             _mm256_maskz_compress_epi32(static_cast<__mmask8>(bits), contacts));
-    return count + added;
-#else
-    for (; bits != 0; bits &= bits - 1) {
-        const auto lane = static_cast<Index>(__builtin_ctz(bits));
-        found[count++] = TouchingContact(first + lane, (new_bits >> lane & 1) != 0);
-    }
-    return count;
-#endif
+/// {first, first + 1, ...}
+inline __m512i sixteen_from(Index first) {
+    return _mm512_add_epi32(
+        _mm512_set1_epi32(static_cast<int>(first)),
+        _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15));
 }
 
-/// Appends the pairs at places first + l of a list to those that are chosen, for each set bit l;
-/// returns the new count. Writes nothing past it.
-inline std::size_t append_chosen(unsigned bits,
+/// Writes the lanes whose bits are set side by side, and nothing past them.
+inline void store_chosen(unsigned bits, __m512i lanes, void* to) {
+    const unsigned first = (1U << static_cast<unsigned>(__builtin_popcount(bits))) - 1U;
+    _mm512_mask_storeu_epi32(to,
+                             static_cast<__mmask16>(first),
+                             _mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), lanes));
+}
+#endif
+
+/// Appends the contact at place first + n to `found` for each bit n of a word, new where new_bits
+/// says so; returns the new count. Where bits are few, a loop over them would end by a guess.
+inline std::size_t append_contacts(std::uint64_t bits,
+                                   std::uint64_t new_bits,
+                                   Index first,
+                                   TouchingContact* found,
+                                   std::size_t count) {
+#if HWY_TARGET <= HWY_AVX3
+    static_assert(sizeof(TouchingContact) == 4 && std::is_trivially_copyable_v<TouchingContact>);
+    const __m512i new_bit = _mm512_set1_epi32(static_cast<int>(TouchingContact::new_bit));
+    for (Index k = 0; k < 64; k += 16) {
+        const auto chosen = static_cast<unsigned>(bits >> k & 0xFFFF);
+        const __m512i places = sixteen_from(first + k);
+        store_chosen(
+            chosen,
+            _mm512_mask_or_epi32(places, static_cast<__mmask16>(new_bits >> k), places, new_bit),
+            found + count);
+        count += static_cast<unsigned>(__builtin_popcount(chosen));
+    }
+#else
+    for (; bits != 0; bits &= bits - 1) {
+        const auto at = static_cast<Index>(__builtin_ctzll(bits));
+        found[count++] = TouchingContact(first + at, (new_bits >> at & 1) != 0);
+    }
+#endif
+    return count;
+}
+
+/// Appends the pairs at places first + n of a list to those that are chosen, for each bit n of a
+/// word; returns the new count. Writes nothing past it.
+inline std::size_t append_chosen(std::uint64_t bits,
                                  const PairChoice& choice,
                                  Index first,
                                  std::size_t count) {
 #if HWY_TARGET <= HWY_AVX3
-    const auto added = static_cast<unsigned>(__builtin_popcount(bits));
-    const auto append = [&](Index* to, __m256i lanes) {
-        _mm256_mask_storeu_epi32(to + count,
-                                 static_cast<__mmask8>((1U << added) - 1U),
-                                 _mm256_maskz_compress_epi32(static_cast<__mmask8>(bits), lanes));
-    };
-    const auto load = [&](const Index* from) {
-        return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from + first));
-    };
-    append(choice.chosen_i, load(choice.i));
-    append(choice.chosen_j, load(choice.j));
-    if (choice.place != nullptr) {
-        append(choice.place,
-               _mm256_add_epi32(_mm256_set1_epi32(static_cast<int>(first)),
-                                _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7)));
+    for (Index k = 0; k < 64; k += 16) {
+        const auto chosen = static_cast<unsigned>(bits >> k & 0xFFFF);
+        store_chosen(chosen, _mm512_loadu_si512(choice.i + first + k), choice.chosen_i + count);
+        store_chosen(chosen, _mm512_loadu_si512(choice.j + first + k), choice.chosen_j + count);
+        if (choice.place != nullptr) {
+            store_chosen(chosen, sixteen_from(first + k), choice.place + count);
+        }
+        count += static_cast<unsigned>(__builtin_popcount(chosen));
     }
-    return count + added;
 #else
     for (; bits != 0; bits &= bits - 1) {
-        const Index place = first + static_cast<Index>(__builtin_ctz(bits));
+        const Index place = first + static_cast<Index>(__builtin_ctzll(bits));
         choice.chosen_i[count] = choice.i[place];
         choice.chosen_j[count] = choice.j[place];
         if (choice.place != nullptr) {
@@ -189,8 +205,8 @@ inline std::size_t append_chosen(unsigned bits,
         }
         ++count;
     }
-    return count;
 #endif
+    return count;
 }
 
 /// Places of `width` contacts; returns the bits of those that are new.
@@ -367,7 +383,11 @@ public:
 
     /// Larger by one comparison; b where a is not a number.
     friend Packet larger(const Packet& a, const Packet& b) {
+#if HWY_TARGET == HWY_SCALAR
         return with(a, b, [](auto x, auto y) { return hn::IfThenElse(hn::Lt(y, x), x, y); });
+#else
+        return with(a, b, [](auto x, auto y) { return hn::Max(x, y); });
+#endif
     }
 
     friend Packet absolute(const Packet& a) {
@@ -422,6 +442,11 @@ public:
 #endif
     }
 
+    /// With zero as the fourth component.
+    Packet vectors() const {
+        return with_fourth(*this, Packet(0.0));
+    }
+
     /// The first three components, and `w` as the fourth.
     friend Packet with_fourth(const Packet& xyz, const Packet& w) {
         Packet result = xyz;
@@ -436,6 +461,7 @@ public:
     }
 
 private:
+    friend class PacketPair;
     using Part = hn::CappedTag<double, 4>;
     static constexpr std::size_t lanes = hn::MaxLanes(Part());
 
@@ -454,6 +480,115 @@ private:
     }
 
     hn::Vec<Part> part_[4 / lanes];
+};
+
+/// Two packets side by side: one vector where there are such long ones.
+class PacketPair {
+public:
+#if HWY_MAX_BYTES == 64
+    PacketPair(const Packet& low, const Packet& high)
+        : both_(hn::Combine(Tag(), high.part_[0], low.part_[0])) {}
+
+    explicit PacketPair(const double* from) : both_(hn::Load(Tag(), from)) {}
+
+    void store(double* to) const {
+        hn::Store(both_, Tag(), to);
+    }
+
+    Packet low() const {
+        return half(hn::LowerHalf(both_));
+    }
+
+    Packet high() const {
+        return half(hn::UpperHalf(hn::Half<Tag>(), both_));
+    }
+
+    friend PacketPair operator+(const PacketPair& a, const PacketPair& b) {
+        return hn::Add(a.both_, b.both_);
+    }
+
+    friend PacketPair operator-(const PacketPair& a, const PacketPair& b) {
+        return hn::Sub(a.both_, b.both_);
+    }
+
+    friend PacketPair operator*(const PacketPair& a, const PacketPair& b) {
+        return hn::Mul(a.both_, b.both_);
+    }
+
+    friend PacketPair larger(const PacketPair& a, const PacketPair& b) {
+        return hn::Max(a.both_, b.both_);
+    }
+
+    /// With zeros as fourth components.
+    PacketPair vectors() const {
+        return hn::Vec<Tag>{_mm512_maskz_mov_pd(0x77, both_.raw)};
+    }
+
+    /// As sums() of the low packets, and of the high ones.
+    friend PacketPair sums(const PacketPair& a, const PacketPair& b) {
+        const auto halves = hn::Add(hn::InterleaveLower(Tag(), a.both_, b.both_),
+                                    hn::InterleaveUpper(Tag(), a.both_, b.both_));
+        constexpr int swap_halves = 0x4E;
+        return hn::Add(halves, hn::Vec<Tag>{_mm512_permutex_pd(halves.raw, swap_halves)});
+    }
+
+private:
+    PacketPair(hn::Vec<Tag> both) : both_(both) {}
+
+    static Packet half(hn::Vec<hn::Half<Tag>> v) {
+        Packet packet(0.0);
+        packet.part_[0] = v;
+        return packet;
+    }
+
+    hn::Vec<Tag> both_;
+#else
+    PacketPair(const Packet& low, const Packet& high) : low_(low), high_(high) {}
+
+    explicit PacketPair(const double* from) : low_(from), high_(from + 4) {}
+
+    void store(double* to) const {
+        low_.store(to);
+        high_.store(to + 4);
+    }
+
+    const Packet& low() const {
+        return low_;
+    }
+
+    const Packet& high() const {
+        return high_;
+    }
+
+    friend PacketPair operator+(const PacketPair& a, const PacketPair& b) {
+        return {a.low_ + b.low_, a.high_ + b.high_};
+    }
+
+    friend PacketPair operator-(const PacketPair& a, const PacketPair& b) {
+        return {a.low_ - b.low_, a.high_ - b.high_};
+    }
+
+    friend PacketPair operator*(const PacketPair& a, const PacketPair& b) {
+        return {a.low_ * b.low_, a.high_ * b.high_};
+    }
+
+    friend PacketPair larger(const PacketPair& a, const PacketPair& b) {
+        return {larger(a.low_, b.low_), larger(a.high_, b.high_)};
+    }
+
+    /// With zeros as fourth components.
+    PacketPair vectors() const {
+        return {low_.vectors(), high_.vectors()};
+    }
+
+    /// As sums() of the low packets, and of the high ones.
+    friend PacketPair sums(const PacketPair& a, const PacketPair& b) {
+        return {sums(a.low_, b.low_), sums(a.high_, b.high_)};
+    }
+
+private:
+    Packet low_, high_;
+#endif
 };
 
 /// Two packets in a row for each lane, {a, 0} and {b, 0}, that are added to what is in memory.

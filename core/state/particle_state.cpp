@@ -61,12 +61,9 @@ double inverse_inertia_of(double mass, double radius) {
     return 1.0 / (0.4 * mass * radius * radius);
 }
 
-/// Packets of the motion in a checkpoint.
-constexpr std::array<std::pair<const char*, MotionPacket>, 4> motion_names{
-    {{"particles/velocity", velocity_packet},
-     {"particles/spin", spin_packet},
-     {"particles/force", force_packet},
-     {"particles/torque", torque_packet}}};
+/// Packets of the loads in a checkpoint.
+constexpr std::array<std::pair<const char*, LoadPacket>, 2> load_names{
+    {{"particles/force", force_packet}, {"particles/torque", torque_packet}}};
 
 std::vector<double> plain(const Column<double>& column) {
     return {column.begin(), column.end()};
@@ -114,7 +111,9 @@ void ParticleState::resize_rows(std::size_t kept, std::size_t rows) {
         column.resize(row_size * rows);
     };
     resize(position_, 4);
-    resize(motion_, motion_row);
+    resize(velocity_, 4);
+    resize(spin_, 4);
+    resize(loads_, load_row);
     resize(loaded_, 1);
 }
 
@@ -132,10 +131,9 @@ void ParticleState::put(Index slot, const Sphere& sphere, std::int64_t id) {
     const double r = sphere.radius;
     const double mass = sphere_mass(density_[sphere.species], r);
     set_packet(place(slot), sphere.position, r);
-    set_packet(packet(slot, velocity_packet), sphere.velocity, 1.0 / mass);
-    set_packet(
-        packet(slot, spin_packet), sphere.angular_velocity, static_cast<double>(sphere.species));
-    set_packet(packet(slot, torque_packet), {}, inverse_inertia_of(mass, r));
+    set_packet(velocity_packet(slot), sphere.velocity, 1.0 / mass);
+    set_packet(spin_packet(slot), sphere.angular_velocity, static_cast<double>(sphere.species));
+    set_packet(load_packet(slot, torque_packet), {}, inverse_inertia_of(mass, r));
     mass_[slot] = mass;
     species_[slot] = sphere.species;
     id_[slot] = id;
@@ -153,7 +151,9 @@ void ParticleState::change_population(const PopulationChange& change) {
     set_images({});
     const bool was_one_slab = slab_count() <= 1;
     position_ = renumbered(position_, change, 0.0, 4);
-    motion_ = renumbered(motion_, change, 0.0, motion_row);
+    velocity_ = renumbered(velocity_, change, 0.0, 4);
+    spin_ = renumbered(spin_, change, 0.0, 4);
+    loads_ = renumbered(loads_, change, 0.0, load_row);
     loaded_ = renumbered(loaded_, change);
     mass_ = renumbered(mass_, change);
     species_ = renumbered(species_, change);
@@ -212,14 +212,20 @@ PopulationChange ParticleState::departure_of(std::span<const Index> leaving) con
 }
 
 ParticleView ParticleState::view() {
-    return {position_.data(), motion_.data(), loaded_.data(), size_, loaded_.size()};
+    return {position_.data(),
+            velocity_.data(),
+            spin_.data(),
+            loads_.data(),
+            loaded_.data(),
+            size_,
+            loaded_.size()};
 }
 
 void ParticleState::set_driven(Index slot, bool driven) {
     const double r = radius(slot);
     const double mass = mass_[slot];
-    packet(slot, velocity_packet)[3] = driven ? 0.0 : 1.0 / mass;
-    packet(slot, torque_packet)[3] = driven ? 0.0 : inverse_inertia_of(mass, r);
+    velocity_packet(slot)[3] = driven ? 0.0 : 1.0 / mass;
+    load_packet(slot, torque_packet)[3] = driven ? 0.0 : inverse_inertia_of(mass, r);
     has_driven_ = has_driven_ || driven;
 }
 
@@ -260,11 +266,10 @@ void ParticleState::renew_images(double margin) {
 void ParticleState::move_images() {
     for (Index row = size_; row < row_count(); ++row) {
         const Image& image = images_[row - size_];
-        for (const MotionPacket which : {velocity_packet, spin_packet}) {
-            std::copy_n(packet(image.owner, which), 4, packet(row, which));
-        }
+        std::copy_n(velocity_packet(image.owner), 4, velocity_packet(row));
+        std::copy_n(spin_packet(image.owner), 4, spin_packet(row));
         set_packet(place(row), position(image.owner) + image.shift, radius(image.owner));
-        packet(row, torque_packet)[3] = packet(image.owner, torque_packet)[3];
+        load_packet(row, torque_packet)[3] = load_packet(image.owner, torque_packet)[3];
     }
 }
 
@@ -274,10 +279,10 @@ void ParticleState::fold_images() {
             continue;
         }
         const Index owner = images_[row - size_].owner;
-        for (const MotionPacket load : {force_packet, torque_packet}) {
-            set_vector(packet(owner, load),
-                       vector(packet(owner, load)) + vector(packet(row, load)));
-            set_vector(packet(row, load), {});
+        for (const LoadPacket which : {force_packet, torque_packet}) {
+            set_vector(load_packet(owner, which),
+                       vector(load_packet(owner, which)) + vector(load_packet(row, which)));
+            set_vector(load_packet(row, which), {});
         }
         loaded_[owner] = 1;
         loaded_[row] = 0;
@@ -292,37 +297,39 @@ void ParticleState::scale_inertia(Index slot, double factor) {
     const double inverse = 1.0 / (factor * mass_[slot]);
     const double r = radius(slot);
     const double ratio = inverse / old;  // keeps m v and I omega
-    double* v = packet(slot, velocity_packet);
-    double* w = packet(slot, spin_packet);
+    double* v = velocity_packet(slot);
+    double* w = spin_packet(slot);
     for (int c = 0; c < 3; ++c) {
         v[c] *= ratio;
         w[c] *= ratio;
     }
     v[3] = inverse;
-    packet(slot, torque_packet)[3] = inverse / (0.4 * r * r);
+    load_packet(slot, torque_packet)[3] = inverse / (0.4 * r * r);
 }
 
 void ParticleState::load_weight(const Vec3& gravity) {
     for (Index slot = 0; slot < size_; ++slot) {
-        set_vector(packet(slot, force_packet), mass_[slot] * gravity);
+        set_vector(load_packet(slot, force_packet), mass_[slot] * gravity);
         loaded_[slot] = 1;
     }
 }
 
 void ParticleState::add_weight(const Vec3& gravity) {
     for (Index slot = 0; slot < size_; ++slot) {
-        set_vector(packet(slot, force_packet), force(slot) + mass_[slot] * gravity);
+        set_vector(load_packet(slot, force_packet), force(slot) + mass_[slot] * gravity);
         loaded_[slot] = 1;
     }
 }
 
 void ParticleState::save(Archive& archive) const {
     archive.put("particles/position", plain(position_));
-    for (const auto& [name, which] : motion_names) {
+    archive.put("particles/velocity", plain(velocity_));
+    archive.put("particles/spin", plain(spin_));
+    for (const auto& [name, which] : load_names) {
         std::vector<double> packets;
         packets.reserve(position_.size());
-        for (std::size_t at = which; at < motion_.size(); at += motion_row) {
-            packets.insert(packets.end(), &motion_[at], &motion_[at] + 4);
+        for (std::size_t at = which; at < loads_.size(); at += load_row) {
+            packets.insert(packets.end(), &loads_[at], &loads_[at] + 4);
         }
         archive.put(name, std::move(packets));
     }
@@ -375,10 +382,12 @@ void ParticleState::load(const Archive& archive, bool may_differ) {
         load_images(archive);
     }
     restore(position_, archive, "particles/position");
-    for (const auto& [name, which] : motion_names) {
+    restore(velocity_, archive, "particles/velocity");
+    restore(spin_, archive, "particles/spin");
+    for (const auto& [name, which] : load_names) {
         const auto& packets = archive.get<double>(name, position_.size());
         for (std::size_t row = 0; 4 * row < packets.size(); ++row) {
-            std::copy_n(&packets[4 * row], 4, &motion_[motion_row * row + which]);
+            std::copy_n(&packets[4 * row], 4, &loads_[load_row * row + which]);
         }
     }
     restore(loaded_, archive, "particles/loaded");

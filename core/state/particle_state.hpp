@@ -35,18 +35,18 @@ public:
     double radius(Index slot) const { return place(slot)[3]; }
 
     /// At the half step that the last cycle used [m/s].
-    Vec3 velocity(Index slot) const { return vector(packet(slot, velocity_packet)); }
+    Vec3 velocity(Index slot) const { return vector(velocity_packet(slot)); }
 
-    Vec3 spin(Index slot) const { return vector(packet(slot, spin_packet)); }
+    Vec3 spin(Index slot) const { return vector(spin_packet(slot)); }
 
     /// Of all contacts, and gravity where inertia is scaled [N].
-    Vec3 force(Index slot) const { return vector(packet(slot, force_packet)); }
+    Vec3 force(Index slot) const { return vector(load_packet(slot, force_packet)); }
 
-    Vec3 torque(Index slot) const { return vector(packet(slot, torque_packet)); }
+    Vec3 torque(Index slot) const { return vector(load_packet(slot, torque_packet)); }
 
-    double inverse_mass(Index slot) const { return packet(slot, velocity_packet)[3]; }
+    double inverse_mass(Index slot) const { return velocity_packet(slot)[3]; }
 
-    double inverse_inertia(Index slot) const { return packet(slot, torque_packet)[3]; }
+    double inverse_inertia(Index slot) const { return load_packet(slot, torque_packet)[3]; }
 
     Index species(Index slot) const { return species_[slot]; }
 
@@ -95,10 +95,10 @@ public:
     void set_position(Index slot, const Vec3& position) { set_vector(place(slot), position); }
 
     void set_velocity(Index slot, const Vec3& velocity) {
-        set_vector(packet(slot, velocity_packet), velocity);
+        set_vector(velocity_packet(slot), velocity);
     }
 
-    void set_spin(Index slot, const Vec3& spin) { set_vector(packet(slot, spin_packet), spin); }
+    void set_spin(Index slot, const Vec3& spin) { set_vector(spin_packet(slot), spin); }
 
     /// Rows with particles or images of particles beyond periodic boundaries; images come last.
     Index row_count() const { return size_ + static_cast<Index>(images_.size()); }
@@ -153,12 +153,22 @@ private:
 
     const double* place(Index slot) const { return position_.data() + 4 * std::size_t{slot}; }
 
-    double* packet(Index slot, MotionPacket which) {
-        return motion_.data() + motion_row * slot + which;
+    double* velocity_packet(Index slot) { return velocity_.data() + 4 * std::size_t{slot}; }
+
+    const double* velocity_packet(Index slot) const {
+        return velocity_.data() + 4 * std::size_t{slot};
     }
 
-    const double* packet(Index slot, MotionPacket which) const {
-        return motion_.data() + motion_row * slot + which;
+    double* spin_packet(Index slot) { return spin_.data() + 4 * std::size_t{slot}; }
+
+    const double* spin_packet(Index slot) const { return spin_.data() + 4 * std::size_t{slot}; }
+
+    double* load_packet(Index slot, LoadPacket which) {
+        return loads_.data() + load_row * slot + which;
+    }
+
+    const double* load_packet(Index slot, LoadPacket which) const {
+        return loads_.data() + load_row * slot + which;
     }
 
     static Vec3 vector(const double* packet) { return {packet[0], packet[1], packet[2]}; }
@@ -190,7 +200,9 @@ private:
     double smallest_radius_ = 0.0;
     double largest_radius_ = 0.0;
     Column<double> position_;  ///< packets
-    Column<double> motion_;    ///< rows of packets, see MotionPacket
+    Column<double> velocity_;  ///< packets
+    Column<double> spin_;      ///< packets
+    Column<double> loads_;     ///< rows of packets, see LoadPacket
     Column<std::uint8_t> loaded_;
     std::vector<double> density_;  ///< [kg/m^3] by species
     std::int64_t last_id_ = 0;

@@ -67,11 +67,11 @@ Bytes moved(const Kernels& kernels,
     RandomParticles p(count, count);
     for (Index n = 0; n < count; ++n) {
         if (n % 3 != 0) {
-            std::fill_n(&p.motion[motion_row * n + force_packet], 3, 0.0);
+            std::fill_n(&p.loads[load_row * n + force_packet], 3, 0.0);
             p.loaded[n] = 0;
         }
         if (n % 3 != 0 || !turns) {
-            std::fill_n(&p.motion[motion_row * n + torque_packet], 3, 0.0);
+            std::fill_n(&p.loads[load_row * n + torque_packet], 3, 0.0);
         }
     }
     MotionPass pass{.particles = p.view(),
@@ -88,7 +88,9 @@ Bytes moved(const Kernels& kernels,
     (kernels.*move)(pass);
     return Bytes()
         .add(p.position)
-        .add(p.motion)
+        .add(p.velocity)
+        .add(p.spin)
+        .add(p.loads)
         .add(p.loaded)
         .add(&pass.fastest_square, 1)
         .add(pass.velocity_sum, 3);
@@ -439,7 +441,7 @@ Bytes pair_forces(const Kernels& kernels,
     for (std::size_t t = 0; records == Records::all && t < stored.size(); ++t) {
         EXPECT_EQ(stored[t], record[t * record_size + record_stored]);
     }
-    return Bytes().add(p.motion).add(p.loaded).add(rows).add(record).add(stored);
+    return Bytes().add(p.loads).add(p.loaded).add(rows).add(record).add(stored);
 }
 
 TEST(InstructionSets, GiveTheSameForcesBetweenParticles) {
@@ -497,7 +499,7 @@ Bytes wall_forces(const Kernels& kernels,
     for (std::size_t t = 0; records == Records::all && t < stored.size(); ++t) {
         EXPECT_EQ(stored[t], record[t * record_size + record_stored]);
     }
-    return Bytes().add(p.motion).add(p.loaded).add(rows).add(force).add(record).add(stored);
+    return Bytes().add(p.loads).add(p.loaded).add(rows).add(force).add(record).add(stored);
 }
 
 TEST(InstructionSets, GiveTheSameForcesOnWalls) {

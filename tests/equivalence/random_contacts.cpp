@@ -78,31 +78,39 @@ RandomParticles::RandomParticles(Index particle_count, std::uint64_t seed) : cou
     std::mt19937_64 random(seed);
     const std::size_t padded = (static_cast<std::size_t>(count) + 7) / 8 * 8;
     position.assign(4 * padded, 0.0);
-    motion.assign(motion_row * padded, 0.0);
+    velocity.assign(4 * padded, 0.0);
+    spin.assign(4 * padded, 0.0);
+    loads.assign(load_row * padded, 0.0);
     loaded.assign(padded, 0);
     for (std::size_t row = 0; row < count; ++row) {
         double* const place = &position[4 * row];
-        double* const packets = &motion[motion_row * row];
+        double* const load = &loads[load_row * row];
         for (std::size_t c = 0; c < 3; ++c) {
             place[c] = between(random, -0.004, 0.004);
-            packets[velocity_packet + c] = between(random, -2.0, 2.0);
-            packets[spin_packet + c] = between(random, -100.0, 100.0);
-            packets[force_packet + c] = between(random, -1.0, 1.0);
-            packets[torque_packet + c] = between(random, -1e-3, 1e-3);
+            velocity[4 * row + c] = between(random, -2.0, 2.0);
+            spin[4 * row + c] = between(random, -100.0, 100.0);
+            load[force_packet + c] = between(random, -1.0, 1.0);
+            load[torque_packet + c] = between(random, -1e-3, 1e-3);
         }
         const double radius = between(random, 0.003, 0.006);
         const double inverse = 1.0 / (6e3 * radius * radius * radius);
         place[3] = radius;
-        packets[velocity_packet + 3] = inverse;
-        packets[spin_packet + 3] = static_cast<double>(random() % 2);
-        packets[torque_packet + 3] = inverse / (0.4 * radius * radius);
+        velocity[4 * row + 3] = inverse;
+        spin[4 * row + 3] = static_cast<double>(random() % 2);
+        load[torque_packet + 3] = inverse / (0.4 * radius * radius);
         loaded[row] = 1;
     }
     std::copy_n(&position[0], 3, &position[4]);
 }
 
 ParticleView RandomParticles::view() {
-    return {position.data(), motion.data(), loaded.data(), count, loaded.size()};
+    return {position.data(),
+            velocity.data(),
+            spin.data(),
+            loads.data(),
+            loaded.data(),
+            count,
+            loaded.size()};
 }
 
 RandomPairs::RandomPairs(Index particle_count, Index touching_count, std::uint64_t seed) {

@@ -19,7 +19,7 @@ struct RandomParticles {
     ParticleView view();
 
     Index count = 0;
-    Column<double> position, motion;
+    Column<double> position, velocity, spin, loads;
     Column<std::uint8_t> loaded;
 };
 

@@ -20,6 +20,7 @@
 #include "core/describe.hpp"
 
 #include <cmath>
+#include <limits>
 #include <string_view>
 #include <tuple>
 
@@ -51,7 +52,8 @@ struct RestitutionDamping {
 
     template <class T>
     struct Values {
-        T ratio, no_tension;
+        T ratio;        ///< [1] -2 zeta
+        T least_force;  ///< [N] of spring and dashpot together: 0 or minus infinity
     };
 
     static constexpr int value_count = 2;
@@ -59,8 +61,8 @@ struct RestitutionDamping {
     static constexpr Needs needs = Needs::velocity | Needs::spin | Needs::effective_mass;
 
     static void resolve(const Params& params, const MaterialPair& pair, double* values) {
-        values[0] = ratio_for(params, pair.hertzian);
-        values[1] = params.tension ? 0.0 : 1.0;
+        values[0] = -2.0 * ratio_for(params, pair.hertzian);
+        values[1] = params.tension ? -std::numeric_limits<double>::infinity() : 0.0;
     }
 
     /// zeta of (2) or (3) [1].
@@ -81,13 +83,13 @@ struct RestitutionDamping {
 
     template <class T>
     static void apply(const Values<T>& v, const Geometry<T>& g, const T*, T*, Load<T>& load) {
-        const T twice = T(2.0) * v.ratio * square_root(g.effective_mass);
-        const T full = T{} - twice * load.root_stiffness_n * g.opening_speed;  // (1)
-        const auto pulls = (load.normal + full < T{}) & (T{} < v.no_tension);
+        const T minus_twice = v.ratio * square_root(g.effective_mass);
+        const T full = minus_twice * load.root_stiffness_n * g.opening_speed;  // (1)
+        const auto pulls = load.normal + full < v.least_force;
         load.normal_damping = select(pulls, T{} - load.normal, full);  // (3)
+        const T minus_c_s = minus_twice * load.root_stiffness_s;
         const Vec3Of<T> zero{};
-        const T c_s = twice * load.root_stiffness_s;
-        load.shear_damping = select(load.slipping, zero, (T{} - c_s) * g.sliding_velocity);  // (4)
+        load.shear_damping = select(load.slipping, zero, minus_c_s * g.sliding_velocity);  // (4)
     }
 
 private:

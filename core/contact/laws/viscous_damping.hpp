@@ -16,6 +16,7 @@
 #include "core/describe.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <string_view>
 #include <tuple>
 
@@ -51,7 +52,10 @@ struct ViscousDamping {
 
     template <class T>
     struct Values {
-        T normal, shear, no_tension, cut_on_slip;
+        T normal;       ///< [1] -2 beta_n
+        T shear;        ///< [1] -2 beta_s
+        T least_force;  ///< [N] of spring and dashpot together: 0 or minus infinity
+        T cut_on_slip;  ///< [1] 0 or 1
     };
 
     static constexpr int value_count = 4;
@@ -59,23 +63,24 @@ struct ViscousDamping {
     static constexpr Needs needs = Needs::velocity | Needs::spin | Needs::effective_mass;
 
     static constexpr void resolve(const Params& params, const MaterialPair&, double* values) {
-        values[0] = params.normal;
-        values[1] = params.shear;
-        values[2] = params.mode == 1 || params.mode == 3 ? 1.0 : 0.0;
+        values[0] = -2.0 * params.normal;
+        values[1] = -2.0 * params.shear;
+        values[2] =
+            params.mode == 1 || params.mode == 3 ? 0.0 : -std::numeric_limits<double>::infinity();
         values[3] = params.mode == 2 || params.mode == 3 ? 1.0 : 0.0;
     }
 
     template <class T>
     static void apply(const Values<T>& v, const Geometry<T>& g, const T*, T*, Load<T>& load) {
         const T root_mass = square_root(g.effective_mass);
-        const T c_n = T(2.0) * v.normal * root_mass * load.root_stiffness_n;
-        const T c_s = T(2.0) * v.shear * root_mass * load.root_stiffness_s;
-        const T full = T{} - c_n * g.opening_speed;  // (1)
-        const auto pulls = (load.normal + full < T{}) & (T{} < v.no_tension);
+        const T minus_c_n = v.normal * root_mass * load.root_stiffness_n;
+        const T minus_c_s = v.shear * root_mass * load.root_stiffness_s;
+        const T full = minus_c_n * g.opening_speed;  // (1)
+        const auto pulls = load.normal + full < v.least_force;
         load.normal_damping = select(pulls, T{} - load.normal, full);  // (2)
         const auto cut = load.slipping & (T{} < v.cut_on_slip);
         const Vec3Of<T> zero{};
-        load.shear_damping = select(cut, zero, (T{} - c_s) * g.sliding_velocity);  // (3)
+        load.shear_damping = select(cut, zero, minus_c_s * g.sliding_velocity);  // (3)
     }
 };
 

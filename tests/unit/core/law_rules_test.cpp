@@ -158,7 +158,9 @@ class Probe {
 public:
     explicit Probe(const Contact& contact) : table_(contact, Materials(scene())) {
         position_.assign(4 * std::size_t{8}, 0.0);
-        motion_.assign(motion_row * std::size_t{8}, 0.0);
+        velocity_.assign(4 * std::size_t{8}, 0.0);
+        spin_.assign(4 * std::size_t{8}, 0.0);
+        loads_.assign(load_row * std::size_t{8}, 0.0);
         loaded_.assign(8, 0);
         rows_.assign(4 * std::size_t{history_packets(table_.history_size()) + 1}, 0.0);
     }
@@ -179,17 +181,22 @@ public:
         const Index second = 1;
         const TouchingContact touching(0, !acts_);
         acts_ = true;
-        kernels_for("scalar").pair_pass(
-            {.particles = {position_.data(), motion_.data(), loaded_.data(), 2, 8},
-             .laws = table_.view(timestep),
-             .i = &first,
-             .j = &second,
-             .touching = &touching,
-             .touching_count = 1,
-             .marks_loaded = true,
-             .rows = rows_.data(),
-             .records = nullptr,
-             .stored = nullptr});
+        kernels_for("scalar").pair_pass({.particles = {position_.data(),
+                                                       velocity_.data(),
+                                                       spin_.data(),
+                                                       loads_.data(),
+                                                       loaded_.data(),
+                                                       2,
+                                                       8},
+                                         .laws = table_.view(timestep),
+                                         .i = &first,
+                                         .j = &second,
+                                         .touching = &touching,
+                                         .touching_count = 1,
+                                         .marks_loaded = true,
+                                         .rows = rows_.data(),
+                                         .records = nullptr,
+                                         .stored = nullptr});
         return {vector(0, force_packet),
                 vector(1, force_packet),
                 vector(0, torque_packet),
@@ -203,8 +210,8 @@ private:
         return scene;
     }
 
-    Vec3 vector(std::size_t row, MotionPacket which) const {
-        const double* packet = &motion_[motion_row * row + which];
+    Vec3 vector(std::size_t row, LoadPacket which) const {
+        const double* packet = &loads_[load_row * row + which];
         return {packet[0], packet[1], packet[2]};
     }
 
@@ -216,16 +223,15 @@ private:
             packet[3] = w;
         };
         const double mass = 4.0 / 3.0 * pi * radius * radius * radius * 1500.0;
-        double* const motion = &motion_[motion_row * row];
         set(&position_[4 * row], body.position, radius);
-        set(motion + velocity_packet, body.velocity, 1.0 / mass);
-        set(motion + spin_packet, body.spin, static_cast<double>(row));
-        set(motion + force_packet, {}, 0.0);
-        set(motion + torque_packet, {}, 1.0 / (0.4 * mass * radius * radius));
+        set(&velocity_[4 * row], body.velocity, 1.0 / mass);
+        set(&spin_[4 * row], body.spin, static_cast<double>(row));
+        set(&loads_[load_row * row + force_packet], {}, 0.0);
+        set(&loads_[load_row * row + torque_packet], {}, 1.0 / (0.4 * mass * radius * radius));
     }
 
     ContactTable table_;
-    Column<double> position_, motion_, rows_;
+    Column<double> position_, velocity_, spin_, loads_, rows_;
     Column<std::uint8_t> loaded_;
     bool acts_ = false;
 };

@@ -254,9 +254,11 @@ TEST(ParticleState, PadsItsColumnsWithRowsThatNeverMoveOrCount) {
         EXPECT_DOUBLE_EQ(pass.fastest_square, 0.25);
         for (std::size_t k = 4 * view.count; k < 4 * view.padded_count; ++k) {
             EXPECT_EQ(view.position[k], 0.0);
+            EXPECT_EQ(view.velocity[k], 0.0);
+            EXPECT_EQ(view.spin[k], 0.0);
         }
-        for (std::size_t k = motion_row * view.count; k < motion_row * view.padded_count; ++k) {
-            EXPECT_EQ(view.motion[k], 0.0);
+        for (std::size_t k = load_row * view.count; k < load_row * view.padded_count; ++k) {
+            EXPECT_EQ(view.loads[k], 0.0);
         }
     }
 }
