@@ -46,7 +46,7 @@ struct LawValues : BlockValues<Laws::most_values> {
 struct Bodies {
     Vec3Of<Pack> relative_velocity;  ///< [m/s] of the centre of j, or of the wall, past that of i
     Vec3Of<Pack> spin_i, spin_j;
-    Vec3Of<Pack> whole_spin_j;  ///< [rad/s] also where spin_j leaves out what is in velocity_j
+    Vec3Of<Pack> whole_spin_j;  ///< [rad/s] also where spin_j leaves a part out
     Pack lever_i, lever_j;      ///< [m] from the centres along the normal to where friction acts
     Pack inverse_masses;        ///< [1/kg] the sum of both
     unsigned new_bits;          ///< lanes whose contact did not act in the last step
