@@ -4,7 +4,8 @@
 
 #include "core/contact/law_table.hpp"
 #include "core/kernels/kernels.hpp"
-#include "core/simd/lanes.hpp"
+#include "core/simd/packets.hpp"
+#include "core/simd/places.hpp"
 
 #include <algorithm>
 

@@ -24,7 +24,7 @@ struct ParticleView {
     double* velocity;          ///< packets: v at the half step [m/s], inverse mass [1/kg]
     double* spin;              ///< packets: omega at the half step [rad/s], material
     double* loads;             ///< rows of packets, see LoadPacket
-    std::uint8_t* loaded;      ///< by particle: where 0, force and torque are zero
+    std::uint8_t* loaded;      ///< 0 or 1 by particle: where 0, force and torque are zero
     std::size_t count;         ///< of particles
     std::size_t padded_count;  ///< rows of each column, a multiple of 8
 };

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/kernels/kernels.hpp"
-#include "core/simd/lanes.hpp"
+#include "core/simd/packets.hpp"
 
 #include <cstring>
 
@@ -21,12 +21,12 @@ template <bool turns>
     const Packet zero(0.0);
     const Packet velocity(p.velocity + 4 * row);
     const Packet kicked =
-        velocity + with_fourth(Packet(loads + force_packet) * velocity.fourth() * kick, zero);
+        velocity + (Packet(loads + force_packet) * velocity.fourth() * kick).without_fourth();
     zero.store(loads + force_packet);
     if constexpr (turns) {
         double* const spin = p.spin + 4 * row;
         const Packet torque(loads + torque_packet);
-        (Packet(spin) + with_fourth(torque * torque.fourth() * kick, zero)).store(spin);
+        (Packet(spin) + (torque * torque.fourth() * kick).without_fourth()).store(spin);
         with_fourth(zero, torque).store(loads + torque_packet);
     }
     return kicked;
@@ -95,7 +95,7 @@ template <class VelocityOf>
         double* const position = p.position + 4 * row;
         (Rows(position) + velocity * alike<Rows>(way)).store(position);
         sum = sum + velocity;
-        const Rows relative = (velocity - alike<Rows>(frame)).vectors();
+        const Rows relative = (velocity - alike<Rows>(frame)).without_fourth();
         return relative * relative;
     };
 
@@ -159,7 +159,7 @@ inline void move_damped(MotionPass& pass) {
     const Packet coefficient(pass.local_damping);
     const auto kicked = [&](const Packet& velocity, const Packet& acceleration) {
         const Packet lost = opposed(coefficient * absolute(acceleration), velocity);
-        return velocity + with_fourth((acceleration + lost) * kick, zero);
+        return velocity + ((acceleration + lost) * kick).without_fourth();
     };
     std::memset(p.loaded + pass.first, 0, pass.last - pass.first);
     const auto moved = [&](std::size_t row) __attribute__((always_inline)) {

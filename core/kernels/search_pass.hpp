@@ -2,7 +2,8 @@
 #pragma once
 
 #include "core/kernels/kernels.hpp"
-#include "core/simd/lanes.hpp"
+#include "core/simd/packets.hpp"
+#include "core/simd/places.hpp"
 
 namespace grainbench::GRAINBENCH_ISA {
 

@@ -391,6 +391,9 @@ void ParticleState::load(const Archive& archive, bool may_differ) {
         }
     }
     restore(loaded_, archive, "particles/loaded");
+    Archive::require(
+        std::all_of(loaded_.begin(), loaded_.end(), [](std::uint8_t flag) { return flag <= 1; }),
+        "particles/loaded");
     for (Index slot = 0; slot < size_; ++slot) {
         Archive::require(species[slot] < density_.size(), "particles/species");
         mass_[slot] = sphere_mass(density_[species[slot]], radius(slot));

@@ -21,6 +21,9 @@ namespace {
 constexpr Index particle_count = 17;
 constexpr Index most_contacts = 40;
 
+/// Flags of loaded particles are taken 64 at a time.
+constexpr Index most_particles = 140;
+
 /// Bytes of columns, one after the other.
 class Bytes {
 public:
@@ -99,7 +102,7 @@ Bytes moved(const Kernels& kernels,
 TEST(InstructionSets, MoveAlike) {
     for_each_set([](std::string_view isa, const Kernels& kernels) {
         const Kernels& scalar = kernels_for("scalar");
-        for (Index n = 1; n <= most_contacts; ++n) {
+        for (Index n = 1; n <= most_particles; ++n) {
             for (const bool few : {false, true}) {
                 EXPECT_TRUE(moved(kernels, n, few) == moved(scalar, n, few)) << isa << " " << n;
             }
@@ -113,7 +116,7 @@ TEST(InstructionSets, MoveAlike) {
 /// Where nothing exerts torques, leaving rotation out changes no bit.
 TEST(InstructionSets, MoveStraightAsWithoutTorques) {
     for_each_set([](std::string_view isa, const Kernels& kernels) {
-        for (Index n = 1; n <= most_contacts; ++n) {
+        for (Index n = 1; n <= most_particles; ++n) {
             for (const bool few : {false, true}) {
                 EXPECT_TRUE(moved(kernels, n, few, &Kernels::move_straight, false) ==
                             moved(kernels, n, few, &Kernels::move, false))
@@ -125,7 +128,7 @@ TEST(InstructionSets, MoveStraightAsWithoutTorques) {
 
 /// Looking for the loaded particles first, or at all of them, is a matter of speed alone.
 TEST(InstructionSets, MoveFewLoadedParticlesAsAll) {
-    for (Index n = 1; n <= most_contacts; ++n) {
+    for (Index n = 1; n <= most_particles; ++n) {
         EXPECT_TRUE(moved(kernels_for(""), n, true) == moved(kernels_for(""), n, false)) << n;
     }
 }

@@ -52,8 +52,8 @@ struct RestitutionDamping {
 
     template <class T>
     struct Values {
-        T ratio;        ///< [1] -2 zeta
-        T least_force;  ///< [N] of spring and dashpot together: 0 or minus infinity
+        T minus_two_zeta;  ///< [1]
+        T least_force;     ///< [N] of spring and dashpot together: 0 or minus infinity
     };
 
     static constexpr int value_count = 2;
@@ -83,7 +83,7 @@ struct RestitutionDamping {
 
     template <class T>
     static void apply(const Values<T>& v, const Geometry<T>& g, const T*, T*, Load<T>& load) {
-        const T minus_twice = v.ratio * square_root(g.effective_mass);
+        const T minus_twice = v.minus_two_zeta * square_root(g.effective_mass);
         const T full = minus_twice * load.root_stiffness_n * g.opening_speed;  // (1)
         const auto pulls = load.normal + full < v.least_force;
         load.normal_damping = select(pulls, T{} - load.normal, full);  // (3)

@@ -52,10 +52,10 @@ struct ViscousDamping {
 
     template <class T>
     struct Values {
-        T normal;       ///< [1] -2 beta_n
-        T shear;        ///< [1] -2 beta_s
-        T least_force;  ///< [N] of spring and dashpot together: 0 or minus infinity
-        T cut_on_slip;  ///< [1] 0 or 1
+        T minus_two_beta_n;  ///< [1]
+        T minus_two_beta_s;  ///< [1]
+        T least_force;       ///< [N] of spring and dashpot together: 0 or minus infinity
+        T cut_on_slip;       ///< [1] 0 or 1
     };
 
     static constexpr int value_count = 4;
@@ -73,8 +73,8 @@ struct ViscousDamping {
     template <class T>
     static void apply(const Values<T>& v, const Geometry<T>& g, const T*, T*, Load<T>& load) {
         const T root_mass = square_root(g.effective_mass);
-        const T minus_c_n = v.normal * root_mass * load.root_stiffness_n;
-        const T minus_c_s = v.shear * root_mass * load.root_stiffness_s;
+        const T minus_c_n = v.minus_two_beta_n * root_mass * load.root_stiffness_n;
+        const T minus_c_s = v.minus_two_beta_s * root_mass * load.root_stiffness_s;
         const T full = minus_c_n * g.opening_speed;  // (1)
         const auto pulls = load.normal + full < v.least_force;
         load.normal_damping = select(pulls, T{} - load.normal, full);  // (2)

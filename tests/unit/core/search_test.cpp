@@ -279,5 +279,17 @@ TEST(ParticleState, KeepsMomentumWhereInertiaIsScaled) {
     EXPECT_DOUBLE_EQ(now.z, momentum.z);
 }
 
+/// Eight flags are read as one number, which only zeros and ones fit.
+TEST(ParticleState, RefusesFlagsThatAreNeitherZeroNorOne) {
+    ParticleState particles = state_of(random_cloud(3, 3.0, 0.02, 6));
+    Archive archive;
+    particles.save(archive);
+    particles.load(archive);
+    auto flags = archive.get<std::uint8_t>("particles/loaded");
+    flags[1] = 2;
+    archive.put("particles/loaded", flags);
+    EXPECT_THROW(particles.load(archive), Error);
+}
+
 }  // namespace
 }  // namespace grainbench
