@@ -13,16 +13,15 @@
 
 namespace grainbench {
 
-/// sqrt(before / after), the factor that gives a vector its length back; 0 if nothing is left
-/// of it. Within a step after equals before nearly, so that a series in the difference is exact
-/// to round-off, and its one division does not wait for the contact's direction.
+/// sqrt(before / |carried|^2), the factor that gives a vector its length back; 0 if nothing is left
+/// of it. Within a step it is 1 nearly, and a series exact to round-off.
+/// \param loss 1 - |carried|^2 / before
 template <class T>
-T restored_length(const T& before, const T& after) {
-    const T safe_before = select(T(1e-290) < before, before, T(1.0));  // 1 / before is finite
-    const T loss = (before - after) * (T(1.0) / safe_before);
+T restored_length(const T& before, const T& loss, const Vec3Of<T>& carried) {
     const auto is_large = T(1e-4) < absolute(loss);  // the next term is 35/128 loss^4 < 3e-17
-    T factor = T(1.0) + loss * (T(0.5) + loss * (T(0.375) + loss * T(0.3125)));
+    T factor = (T(1.0) + T(0.5) * loss) + loss * loss * (T(0.375) + T(0.3125) * loss);
     if (any(is_large)) {
+        const T after = dot(carried, carried);
         const auto is_left = T{} < after;
         const T safe_after = select(is_left, after, T(1.0));
         factor = select(is_large, select(is_left, square_root(before / safe_after), T{}), factor);
@@ -30,13 +29,26 @@ T restored_length(const T& before, const T& after) {
     return factor;
 }
 
-/// A vector of the old contact plane, in the new one (1).
+/// A vector of the old contact plane, in the new one (1). Its length follows from what is projected
+/// out and turned, |carried|^2 = (1 - tilt) (1 + turn^2) |old|^2, so that it need not wait for the
+/// vector. Where particles rest both are below round-off, and the factor is 1 whatever they are.
 template <class T>
 Vec3Of<T> carry(const Geometry<T>& g, const T* history) {
     const Vec3Of<T> old{history[0], history[1], history[2]};
-    Vec3Of<T> carried = old - dot(old, g.normal) * g.normal;
-    carried -= (g.mean_spin * g.timestep) * cross(carried, g.normal);
-    return restored_length(dot(old, old), dot(carried, carried)) * carried;
+    const T along = dot(old, g.normal);
+    const T turn = g.mean_spin * g.timestep;
+    const Vec3Of<T> carried = old - along * g.normal - turn * cross(old, g.normal);
+    const T before = dot(old, old);
+    const T out = along * along;
+    const T turn_square = turn * turn;
+    const T least(1e-16);  // half of it is lost when it is added to 1
+    T factor(1.0);
+    if (any((least * before < out) | (least < turn_square))) {
+        const T safe_before = select(T(1e-290) < before, before, T(1.0));  // 1 / before is finite
+        const T tilt = out * (T(1.0) / safe_before);
+        factor = restored_length(before, tilt - turn_square * (T(1.0) - tilt), carried);
+    }
+    return factor * carried;
 }
 
 /// Growth of the shear force in this step, k_s alpha v_s dt.

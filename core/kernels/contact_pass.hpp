@@ -64,8 +64,9 @@ void complete_geometry(const Laws& laws, const Bodies& b, Pack timestep, Geometr
         Vec3Of<Pack> relative = b.relative_velocity;
         g.opening_speed = dot(relative, g.normal);
         if (laws.need(Needs::spin)) {
+            // What spins add lies in the contact plane.
             relative -= cross(b.lever_i * b.spin_i + b.lever_j * b.spin_j, g.normal);
-            g.sliding_velocity = relative - dot(relative, g.normal) * g.normal;
+            g.sliding_velocity = relative - g.opening_speed * g.normal;
             g.mean_spin = Pack(0.5) * dot(b.spin_i + b.spin_j, g.normal);
         }
     }
