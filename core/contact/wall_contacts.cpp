@@ -9,12 +9,6 @@ namespace {
 /// Entries in a part of the work: enough to be worth a thread.
 constexpr Index part_size = 2048;
 
-/// Particles whose patches are collected by one part of the work.
-constexpr Index collected_particles = 4096;
-
-/// Way of a particle, over the smallest radius, for which its candidates are found in advance.
-constexpr double spare_per_radius = 1.25;
-
 /// Adds the places of the bits of words [first, last).
 void append_bits(std::span<const std::uint64_t> words,
                  std::size_t first,
@@ -59,7 +53,7 @@ Renewal WallContacts::update(std::uint64_t cycle,
         clock_.choose_reach(due, particles.smallest_radius());
     }
     if (due == Renewal::candidates) {
-        build_candidates(particles, wall, workers);
+        candidates_.build(clock_, particles, wall, workers);
     }
     if (due <= Renewal::objects) {
         renew(particles, wall, kernels, workers);
@@ -74,72 +68,17 @@ void WallContacts::change_population(const PopulationChange& change, const Parti
     const Renumbered renumbered = objects_.renumber(change, false);
     pick_rows(force_, renumbered.touching_before, 4);
     records_.renumber(renumbered, count_before, [](double*) {});  // a wall is never body i
-    candidates_.clear();
-    candidates_.pad();
-    clearances_.clear();
+    candidates_.forget();
     cut_into_parts();
     clock_.expire(after);
 }
 
-void WallContacts::build_candidates(const ParticleState& particles,
-                                    const WallBody& wall,
-                                    const Workers& workers) {
-    const SearchSettings& settings = clock_.settings();
-    // Lists that depend on when they were made would show in what a search counts as late.
-    const double spare =
-        settings.widest > 0.0 ? spare_per_radius * particles.smallest_radius() : 0.0;
-    clearances_.resize(particles.size());
-    std::vector<PairList> found((particles.size() + collected_particles - 1) / collected_particles);
-    workers.for_each(found.size(), [&](std::size_t part) {
-        const auto first = static_cast<Index>(part) * collected_particles;
-        const Index last = std::min(first + collected_particles, particles.size());
-        std::vector<Index> patches;
-        Index before = candidates_.first_of(first);
-        for (Index slot = first; slot < last; ++slot) {
-            const Index first_before = before;
-            before = candidates_.end_of(slot, before);
-            Clearance& clearance = clearances_[slot];
-            if (particles.is_driven(slot)) {
-                clearance = {};
-                continue;
-            }
-            const double reach = settings.brute_force
-                                     ? 1e300
-                                     : (1.0 + clock_.candidate_reach()) * particles.radius(slot) +
-                                           clock_.candidate_slack();
-            const Vec3 centre = wall.to_wall(particles.position(slot));
-            if (clearance.exceeds(centre, reach)) {
-                for (Index k = first_before; k < before; ++k) {
-                    found[part].append(slot, candidates_.j[k]);
-                }
-                continue;
-            }
-            patches.clear();
-            const double others = wall.surface().collect(centre, reach + spare, patches);
-            clearance = {centre, patches.empty() || spare > 0.0 ? others : 0.0};
-            for (const Index patch : patches) {
-                found[part].append(slot, patch);
-            }
-        }
-    });
-    candidates_.clear();
-    for (const PairList& part : found) {
-        candidates_.i.insert(candidates_.i.end(), part.i.begin(), part.i.end());
-        candidates_.j.insert(candidates_.j.end(), part.j.begin(), part.j.end());
-        candidates_.count += part.count;
-    }
-    candidates_.pad();
-}
-
-void WallContacts::test(const ParticleState& particles,
-                        const WallBody& wall,
-                        const PairList& list,
-                        Index first,
-                        Index last,
-                        double scale,
-                        double extra,
-                        const PatchAnswers& answers,
-                        const Kernels& kernels) const {
+PatchQuery WallContacts::query_of(const ParticleState& particles,
+                                  const WallBody& wall,
+                                  const PairList& list,
+                                  Index first,
+                                  Index last,
+                                  double extra) const {
     PatchQuery query{
         .position = particles.positions().data(),
         .planes = wall.surface().planes().data(),
@@ -150,7 +89,7 @@ void WallContacts::test(const ParticleState& particles,
         .shift = {wall.displacement().x, wall.displacement().y, wall.displacement().z},
         .rotation = {},
         .rotated = wall.is_turned(),
-        .scale = scale,
+        .scale = 1.0,
         // The reference engine takes nothing from the planes.
         .extra = clock_.settings().brute_force ? 1e300 : extra};
     for (int row = 0; row < 3; ++row) {
@@ -158,7 +97,7 @@ void WallContacts::test(const ParticleState& particles,
             query.rotation[3 * row + column] = wall.rotation()[3 * column + row];
         }
     }
-    kernels.test_patches(query, answers);
+    return query;
 }
 
 PatchAnswers WallContacts::answers_from(Index first) {
@@ -169,27 +108,22 @@ void WallContacts::renew(const ParticleState& particles,
                          const WallBody& wall,
                          const Kernels& kernels,
                          const Workers& workers) {
-    face_.resize(candidates_.words());
-    doubt_.resize(candidates_.words());
-    height_.resize(candidates_.i.size());
-    const Index count = candidates_.count;
+    const PairList& list = candidates_.list();
+    face_.resize(list.words());
+    doubt_.resize(list.words());
+    height_.resize(list.i.size());
+    const Index count = list.count;
     workers.for_each((count + part_size - 1) / part_size, [&](std::size_t part) {
         const auto first = static_cast<Index>(part) * part_size;
         const Index last = std::min(first + part_size, count);
-        test(particles,
-             wall,
-             candidates_,
-             first,
-             last,
-             1.0 + clock_.object_reach(),
-             0.0,
-             answers_from(first),
-             kernels);
+        PatchQuery query = query_of(particles, wall, list, first, last, 0.0);
+        query.scale = 1.0 + clock_.object_reach();
+        kernels.test_patches(query, answers_from(first));
         for (std::size_t w = first / 64; w < words_up_to(last); ++w) {
             face_[w] |= doubt_[w];
         }
     });
-    objects_.renew(candidates_, face_, kernels);
+    objects_.renew(list, face_, kernels);
     cut_into_parts();
 }
 
@@ -223,15 +157,8 @@ void WallContacts::test_all(const ParticleState& particles,
                             double extra,
                             const Kernels& kernels,
                             Part& part) {
-    test(particles,
-         wall,
-         objects_.list(),
-         part.first,
-         part.last,
-         1.0,
-         extra,
-         answers_from(part.first),
-         kernels);
+    kernels.test_patches(query_of(particles, wall, objects_.list(), part.first, part.last, extra),
+                         answers_from(part.first));
     const std::size_t first_word = part.first / 64;
     const std::size_t last_word = words_up_to(part.last);
     for (std::size_t w = first_word; w < last_word; ++w) {
@@ -246,15 +173,9 @@ void WallContacts::test_watched(const ParticleState& particles,
                                 double extra,
                                 const Kernels& kernels,
                                 Part& part) {
-    test(particles,
-         wall,
-         part.watched_list,
-         0,
-         part.watched_list.count,
-         1.0,
-         extra,
-         {part.watched_face.data(), part.watched_doubt.data(), part.watched_height.data()},
-         kernels);
+    kernels.test_patches(
+        query_of(particles, wall, part.watched_list, 0, part.watched_list.count, extra),
+        {part.watched_face.data(), part.watched_doubt.data(), part.watched_height.data()});
     for (std::size_t w = part.first / 64; w < words_up_to(part.last); ++w) {
         face_[w] = 0;
     }
@@ -607,31 +528,9 @@ std::size_t WallContacts::compute_object_count(const ParticleState& particles,
     return count;
 }
 
-std::vector<double> WallContacts::packed_clearances() const {
-    std::vector<double> packed;
-    packed.reserve(4 * clearances_.size());
-    for (const Clearance& c : clearances_) {
-        packed.insert(packed.end(), {c.centre.x, c.centre.y, c.centre.z, c.distance});
-    }
-    return packed;
-}
-
-void WallContacts::load_clearances(std::span<const double> packed, std::size_t size) {
-    Archive::require(packed.empty() || packed.size() == 4 * size, "clearances");
-    for (std::size_t k = 0; k < packed.size(); k += 4) {
-        clearances_.push_back({{packed[k], packed[k + 1], packed[k + 2]}, packed[k + 3]});
-    }
-}
-
 void WallContacts::save(Archive& archive, const std::string& name, Records records) const {
     clock_.save(archive, name);
-    archive.put(
-        name + "/candidate_particle",
-        std::vector<Index>(candidates_.i.begin(), candidates_.i.begin() + candidates_.count));
-    archive.put(
-        name + "/candidate_patch",
-        std::vector<Index>(candidates_.j.begin(), candidates_.j.begin() + candidates_.count));
-    archive.put(name + "/clearances", packed_clearances());
+    candidates_.save(archive, name);
     objects_.save(archive, name + "/objects");
     archive.put(name + "/force", std::vector<double>(force_.begin(), force_.end()));
     records_.save(archive, name, records);
@@ -646,13 +545,8 @@ void WallContacts::load(const Archive& archive,
     const std::size_t size = particles.size();
     const std::size_t patches = wall.surface().patch_count();
     clock_.load(archive, name, particles);
-    candidates_.load(
-        archive, name + "/candidate_particle", name + "/candidate_patch", size, patches);
+    candidates_.load(archive, name, size, patches);
     objects_.load(archive, name + "/objects", size, patches);
-    clearances_.clear();
-    if (archive.columns().contains(name + "/clearances")) {  // older checkpoints have none
-        load_clearances(archive.get<double>(name + "/clearances"), size);
-    }
     cut_into_parts();
     const auto& force = archive.get<double>(name + "/force", 4 * std::size_t{touching_count()});
     force_.assign(force.begin(), force.end());

@@ -5,7 +5,7 @@
 #include "core/contact/contact_objects.hpp"
 #include "core/contact/contact_records.hpp"
 #include "core/contact/contact_table.hpp"
-#include "core/search/list_clock.hpp"
+#include "core/contact/wall_candidates.hpp"
 #include "core/walls/wall_body.hpp"
 
 #include <string>
@@ -132,21 +132,6 @@ private:
 
     Index place(Index t) const { return objects_.touching()[t].place(); }
 
-    /// How far a particle was from the patches that are not its candidates when it was last looked
-    /// at.
-    struct Clearance {
-        Vec3 centre{};          ///< [m] in the wall's frame
-        double distance = 0.0;  ///< [m] to the nearest of them, or less
-
-        /// Whether they must be farther than `reach` from a particle that has come to `now`.
-        bool exceeds(const Vec3& now, double reach) const {
-            constexpr double rounding = 1e-9;
-            const double left = (1.0 - rounding) * distance - reach;
-            const Vec3 way = now - centre;
-            return left > 0.0 && dot(way, way) < left * left;
-        }
-    };
-
     /// Work on the entries of some particles, with room of its own.
     struct Part {
         Index first = 0;  ///< entries [first, last); whole words of the bits by entry
@@ -165,9 +150,6 @@ private:
         Column<double> step_geometry;  ///< packet by contact: normal, distance
     };
 
-    void build_candidates(const ParticleState& particles,
-                          const WallBody& wall,
-                          const Workers& workers);
     void renew(const ParticleState& particles,
                const WallBody& wall,
                const Kernels& kernels,
@@ -175,16 +157,13 @@ private:
     void cut_into_parts();
 
     /// Asks the planes of the patches about the entries [first, last) of a list, for spheres of
-    /// radius scale * R + extra.
-    void test(const ParticleState& particles,
-              const WallBody& wall,
-              const PairList& list,
-              Index first,
-              Index last,
-              double scale,
-              double extra,
-              const PatchAnswers& answers,
-              const Kernels& kernels) const;
+    /// radius R + extra.
+    PatchQuery query_of(const ParticleState& particles,
+                        const WallBody& wall,
+                        const PairList& list,
+                        Index first,
+                        Index last,
+                        double extra) const;
 
     /// Sets the bits of the entries of a part that may touch spheres of radius R + extra.
     void test_all(const ParticleState& particles,
@@ -224,16 +203,12 @@ private:
     void hand_over(const Surface& surface, Part& part);
     void adopt_late_contacts(const Part& part);
 
-    std::vector<double> packed_clearances() const;
-    void load_clearances(std::span<const double> packed, std::size_t size);
-
     /// The contacts among touching() that are entries of a part.
     std::pair<Index, Index> touching_of(const Part& part) const;
 
     ListClock clock_;
-    PairList candidates_;                ///< particle, patch
-    std::vector<Clearance> clearances_;  ///< by slot
-    ContactObjects objects_;             ///< particle, patch; extra packet: normal, distance
+    WallCandidates candidates_;
+    ContactObjects objects_;  ///< particle, patch; extra packet: normal, distance
     bool just_renewed_ = false;
     bool watches_all_ = true;                        ///< no look-ahead since the last renewal
     std::vector<std::uint64_t> face_, doubt_, now_;  ///< bit by entry
