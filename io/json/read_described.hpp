@@ -7,6 +7,7 @@
 
 #include "io/json/document.hpp"
 #include "io/json/field_reader.hpp"
+#include "io/json/file_kind.hpp"
 #include "io/json/problems.hpp"
 
 #include <filesystem>
@@ -22,6 +23,7 @@ T described_of(Document document, std::span<const std::string> overrides) {
     for (const std::string& assignment : overrides) {
         apply_override(document.json, assignment);
     }
+    refuse_other_kinds(document, T::format_name);
     T value;
     Problems problems;
     FieldReader(problems).read_struct(document.json, Place{}, {}, value);
@@ -30,7 +32,7 @@ T described_of(Document document, std::span<const std::string> overrides) {
         throw_bad_input(
             {.what = "'" + value.format + "' is not '" + std::string(T::format_name) + "'",
              .where = document.name + ", /format",
-             .likely_cause = "a file of another kind, or of another version",
+             .likely_cause = "a file of another version, or a slip in the name of the format",
              .next_step = "hand in a file of the format " + std::string(T::format_name)});
     }
     return value;

@@ -5,6 +5,7 @@
 #include "io/json/field_check.hpp"
 #include "io/json/field_reader.hpp"
 #include "io/json/field_writer.hpp"
+#include "io/json/file_kind.hpp"
 #include "io/json/problems.hpp"
 #include "io/json/scene_rules.hpp"
 
@@ -39,6 +40,7 @@ Problems find_problems(const Scene& scene) {
 }
 
 Scene scene_of(const Document& document, const fs::path& directory) {
+    refuse_other_kinds(document, Scene::format_name);
     Scene scene;
     Problems problems;
     FieldReader(problems).read_struct(document.json, Place{}, {}, scene);

@@ -70,22 +70,9 @@ void check_numbers(const Study& study, Problems& problems) {
     }
 }
 
-/// The slip that is easiest to make, and whose list of unknown keys would be long.
-void refuse_scene(const std::filesystem::path& file) {
-    const Document document = load_document(file);
-    const auto format = document.json.find("format");
-    if (format != document.json.end() && *format == std::string(Scene::format_name)) {
-        throw_bad_input({.what = "this is a scene, not a study",
-                         .where = file.string(),
-                         .likely_cause = "a study file names its scene under 'scene'",
-                         .next_step = "grainbench study --suggest " + file.string()});
-    }
-}
-
 }  // namespace
 
 Study read_study(const std::filesystem::path& file) {
-    refuse_scene(file);
     Study study = read_described<Study>(file);
     validate_study(study, file.string());
     return study;

@@ -282,6 +282,24 @@ TEST(SceneError, IsBadInputForAMissingFileAFolderAndAnEmptyFile) {
     }
 }
 
+TEST(SceneError, SaysWhatAFileOfAnotherKindIsFor) {
+    for (const auto& [file, what, command] :
+         {std::tuple{
+              "../studies/stiffness.json", "this is a study, not a scene", "`grainbench study`"},
+          std::tuple{"../figures/scenes.json",
+                     "this is a set of figures, not a scene",
+                     "`grainbench figures`"}}) {
+        try {
+            read_scene(preset(file));
+            FAIL() << file;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::bad_input);
+            EXPECT_EQ(error.diagnosis().what, what);
+            EXPECT_THAT(error.diagnosis().next_step, HasSubstr(command));
+        }
+    }
+}
+
 TEST(SceneError, StopsAtHopelessNesting) {
     const auto error = error_of(std::string(100000, '['), test_folder());
     ASSERT_TRUE(error);

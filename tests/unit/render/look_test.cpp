@@ -39,7 +39,8 @@ TEST(Look, SchemaAndReferencePageAreFresh) {
 TEST(Look, SaysWhatIsWrongAndWhere) {
     EXPECT_THAT(error_of(R"({"format": "grainbench-render/1", "legende": {}})"),
                 AllOf(HasSubstr("/legende"), HasSubstr("legend")));
-    EXPECT_THAT(error_of(R"({"format": "grainbench-scene/1"})"), HasSubstr("grainbench-render/1"));
+    EXPECT_THAT(error_of(R"({"format": "grainbench-scene/1"})"),
+                HasSubstr("this is a scene, not a look"));
     EXPECT_THAT(error_of(R"({"format": "grainbench-render/1", "camera": {"up": [0, 2, -0.3]}})"),
                 HasSubstr("along its own up direction"));
     EXPECT_THAT(error_of(R"({"format": "grainbench-render/1", "particles": {"colour":
