@@ -110,13 +110,14 @@ private:
         sub->add_option(
             "-o,--output", render_.folder, "Folder for the pictures; RUN_DIR/pictures if absent");
         sub->add_option("--look", render_.look, "How to draw: a file as in presets/render");
-        sub->add_option("--time", render_.times, "Draw the frame nearest to this; may be repeated")
-            ->allow_extra_args(false)
+        take_one_each(sub->add_option("--time",
+                                      render_.times,
+                                      "Draw the frame nearest to this; may be repeated"))
             ->type_name("SECONDS|first|last");
         sub->add_option("--size", render_.size, "Pixels")->type_name("WIDTHxHEIGHT");
-        sub->add_option(
-               "--set", render_.overrides, "Change the look: /json/pointer=value; may be repeated")
-            ->allow_extra_args(false)
+        take_one_each(sub->add_option("--set",
+                                      render_.overrides,
+                                      "Change the look: /json/pointer=value; may be repeated"))
             ->type_name("POINTER=VALUE");
         sub->add_flag("--quiet", render_.quiet, "No talk but errors");
         finish(*sub,
@@ -277,9 +278,15 @@ private:
     }
 
     static void add_overrides(CLI::App& sub, std::vector<std::string>& overrides) {
-        sub.add_option("--set", overrides, "Change the scene: /json/pointer=value; may be repeated")
-            ->allow_extra_args(false)
+        take_one_each(sub.add_option("--set",
+                                     overrides,
+                                     "Change the scene: /json/pointer=value; may be repeated"))
             ->type_name("POINTER=VALUE");
+    }
+
+    /// One value, but the option may be given again.
+    static CLI::Option* take_one_each(CLI::Option* option) {
+        return option->expected(1)->take_all()->allow_extra_args(false);
     }
 
     /// The app whose arguments went wrong: the command, if one was named.
