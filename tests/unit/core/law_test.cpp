@@ -459,6 +459,23 @@ TEST(CoulombFriction, TakesItsForceIntoTheNewPlaneAtFullLength) {
     EXPECT_FALSE(outcome.load.slipping);
 }
 
+TEST(CoulombFriction, KeepsTheLengthOfItsForceHoweverFarItTiltsAndTurns) {
+    Numbers numbers;
+    for (int n = 0; n < 1000; ++n) {
+        Row<CoulombFriction> row = Reference<CoulombFriction>::given();
+        row.geometry.sliding_velocity = {};
+        // From what round-off hides over what the series takes to what needs a root.
+        const double tilt = std::pow(10.0, numbers.between(-10.0, -0.5));
+        const double turn = std::pow(10.0, numbers.between(-10.0, -0.5));
+        row.geometry.normal = normalized(row.geometry.normal + tilt * numbers.direction());
+        row.geometry.mean_spin = turn / row.geometry.timestep;
+        const Vec3 old{0.3, -0.1, 0.0};
+        remember(row, old);
+        // Some ten roundings.
+        EXPECT_NEAR(norm(apply(row).load.shear) / norm(old), 1.0, 1e-15) << "seed " << seed;
+    }
+}
+
 TEST(CoulombFriction, TurnsItsForceWithTheMeanSpin) {
     Row<CoulombFriction> row = Reference<CoulombFriction>::given();
     row.geometry.sliding_velocity = {};
