@@ -7,6 +7,8 @@
 /// Source   Cundall & Strack, Geotechnique 29, 1979; PFC linear model (physics reference 1.5). (1)
 ///          equals the tilt by n_old x n_new to second order in the turn of one step and needs no
 ///          old normal in the history.
+/// Symbols  F_s force [N] of friction or moment [N m] of a resistance, limit the same; n unit
+///          normal [1].
 #pragma once
 
 #include "core/contact/law.hpp"
@@ -39,13 +41,13 @@ Vec3Of<T> carry(const Geometry<T>& g, const T* history) {
     const T turn = g.mean_spin * g.timestep;
     const Vec3Of<T> carried = old - along * g.normal - turn * cross(old, g.normal);
     const T before = dot(old, old);
-    const T out = along * along;
+    const T along_square = along * along;
     const T turn_square = turn * turn;
     const T least(1e-16);  // half of it is lost when it is added to 1
     T factor(1.0);
-    if (any((least * before < out) | (least < turn_square))) {
+    if (any((least * before < along_square) | (least < turn_square))) {
         const T safe_before = select(T(1e-290) < before, before, T(1.0));  // 1 / before is finite
-        const T tilt = out * (T(1.0) / safe_before);
+        const T tilt = along_square * (T(1.0) / safe_before);
         factor = restored_length(before, tilt - turn_square * (T(1.0) - tilt), carried);
     }
     return factor * carried;

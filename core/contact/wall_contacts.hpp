@@ -6,6 +6,7 @@
 #include "core/contact/contact_records.hpp"
 #include "core/contact/contact_table.hpp"
 #include "core/contact/wall_candidates.hpp"
+#include "core/search/list_clock.hpp"
 #include "core/walls/wall_body.hpp"
 
 #include <string>
